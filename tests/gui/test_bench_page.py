@@ -160,7 +160,7 @@ def test_who_has_checked_is_told_and_one_button_is_blue(qtbot, still, bench):
     ("ago_s", "shown"),
     [
         (0.0, "✓ coils at zero"),
-        (3.2, "◌ coils read back at zero by the supply's word at TIME (3 s ago); not watched since"),
+        (3.2, "■ coils read back at zero by their supplies; the reference agreed when it was last looked at, 0 s ago"),
     ],
 )
 def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench, ago_s, shown):

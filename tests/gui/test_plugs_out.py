@@ -65,7 +65,7 @@ def test_a_refused_hands_off_keeps_its_question_and_its_button_is_grey(running, 
     says(running, platform=stands())
     assert card.choices["done"].isEnabled()
     assert card.details.text() == "dut: answers again"
-    assert card.text.text().replace("\N{NO-BREAK SPACE}", " ") == asked
+    assert card.text.text().replace("\N{NO-BREAK SPACE}", " ") == f"Next: {asked}"
 
 
 def test_a_second_click_on_go_on_hits_nothing(running, qtbot):

@@ -139,10 +139,10 @@ class BenchPage(QWidget):
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         self.to_do = label("", wrap=True)
         set_state(self.to_do, "bad")
+        card.body.addLayout(row)  # above what comes and goes: nothing moves a button away under a click
         card.body.addWidget(self.to_do)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
-        card.body.addLayout(row)
         return card
 
     def _cage_card(self) -> Card:

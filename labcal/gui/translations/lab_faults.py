@@ -3,6 +3,8 @@
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 LAB_FAULTS = (
+    QT_TRANSLATE_NOOP("Data", "{0}, then check the zero again."),
+    QT_TRANSLATE_NOOP("Data", "Then check the zero again."),
     QT_TRANSLATE_NOOP("Data", "the supplies state {0} A, and the reference does not see that: {1}."),
     QT_TRANSLATE_NOOP(
         "Data",

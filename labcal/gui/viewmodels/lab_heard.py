@@ -12,7 +12,9 @@ from labcal.gui.ipc.answers import Bench, Doubt, Identified, InstrumentAnswer
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import coil_read
+from labcal.gui.viewmodels.lab_now import UNHEARD, coil_read
+
+NO_REPLY = (*UNHEARD, "link was lost")  # in a fault: then it gives no answer, and has not failed otherwise
 
 
 def identified(before: state.LabState | None, said: Identified) -> tuple[state.LabState, bool]:
@@ -107,7 +109,8 @@ def blamed(known: state.LabState | None, fault: Fault, facts: Bench | None) -> s
         return None
     before = known or state.LabState(state.unread())
     heard = {one.name: one for one in before.instruments}
+    said = fault.text if any(words in fault.text for words in NO_REPLY) else translated("failed")
     for name in facts.instruments:
         if name in fault.text:
-            heard[name] = replace(heard.get(name) or state.Heard(name), fault=translated("failed"))
+            heard[name] = replace(heard.get(name) or state.Heard(name), fault=said)
     return replace(before, instruments=tuple(heard.values()))
