@@ -26,6 +26,7 @@ from labcal.bench.streams.samples import samples
 from labcal.errors import InstrumentError
 
 LISTEN_S = 3.0
+ANSWERED_FOR = "measures it too, with --clear-as NAME where a person answers for it."
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +75,8 @@ def refuse_doubt(path: Path) -> None:
     looked = look_again(path)
     if looked is not None and not looked.lifted:
         remedy = f"{looked.advice}, then check the zero again." if looked.advice else "Then check the zero again."
-        raise InstrumentError(looked.words, fault="not zero", remedy=remedy, mends=f"First seen {looked.before}")
+        mends = f"First seen {looked.before}. `labcal bench check FILE` {ANSWERED_FOR}"
+        raise InstrumentError(looked.words, fault="not zero", remedy=remedy, mends=mends)
 
 
 def _why_not(ended: list[AtZero], found: Witness) -> str:

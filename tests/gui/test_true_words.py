@@ -48,13 +48,13 @@ def test_what_comes_after_the_answer_is_said_as_to_come(running, text):
     assert running.side.hands.text().startswith("▲ Hands off: Next")
 
 
-def test_coils_off_is_not_offered_for_a_platform_whose_line_is_lost():
-    turned = PlatformReading(33.0, moving=True, read_s=90.0).sentence(100.0)
-    for lost in (MAY_TURN, turned):
-        assert "COILS OFF" not in platform_said(lost), lost
-        assert "at its controller" in platform_said(lost)
-    turns = PlatformReading(33.0, moving=True, read_s=99.5).sentence(100.0)
-    assert "COILS OFF (F12) first: it stops the platform as well. If it keeps turning" in platform_said(turns)
+def test_coils_off_is_said_to_stop_a_platform_only_where_its_line_answers():
+    assert "COILS OFF" not in platform_said(MAY_TURN)
+    assert "at its controller" in platform_said(MAY_TURN)
+    for now_s in (100.0, 90.5):  # read long ago, and just now
+        said = platform_said(PlatformReading(33.0, moving=True, read_s=90.0).sentence(now_s))
+        assert "COILS OFF (F12) first: where its line answers that stops the platform too" in said
+        assert said.endswith("If it keeps turning, stop it at its controller")
 
 
 @pytest.mark.parametrize(

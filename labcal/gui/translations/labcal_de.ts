@@ -9049,8 +9049,8 @@ diesem Schritt …</translation>
         <translation>gehört {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it keeps turning, stop it at its controller</source>
-        <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
+        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
+        <translation>zuerst SPULEN AUS (F12) drücken: Wo seine Leitung antwortet, hält das auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>
         <source>heard before</source>

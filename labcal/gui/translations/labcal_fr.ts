@@ -9049,8 +9049,8 @@ cette étape …</translation>
         <translation>entendu {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it keeps turning, stop it at its controller</source>
-        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : là où sa liaison répond, la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>heard before</source>

@@ -17,7 +17,8 @@ STILL_LOST = "Still lost"  # so it begins where it is asked again, because someb
 
 def coming(prompt: Prompt, words: str) -> str:
     """The `words` of a question as what is to come: before its answer neither a field nor a turn is there yet."""
-    ahead = prompt.key == READY and not prompt.text.startswith("Next ")
+    states = prompt.text.removesuffix("Hands off?").rstrip().endswith(".") and not prompt.text.startswith("Next ")
+    ahead = prompt.key == READY and states
     return translated(str(NEXT_IS)).format(words) if ahead else words
 
 

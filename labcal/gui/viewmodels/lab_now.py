@@ -31,7 +31,8 @@ HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
 UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
-    "press COILS OFF (F12) first: it stops the platform as well. If it keeps turning, stop it at its controller",
+    "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
+    "its controller",
 )
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next, and what a supply may need to answer it
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
@@ -279,7 +280,7 @@ def platform_said(words: str) -> str:
     """In the window's language; where it turns, or may, with what to do."""
     if platform_mark(words)[1] not in ("bad", "warning"):
         return in_words(words)
-    heard = not words.startswith(state.MAY_TURN)  # its line answers: COILS OFF reaches it, nobody has to go to it
+    heard = words != state.MAY_TURN  # its line answers, or did not long ago: nobody has to go to it first
     stop = str(BY_KEY) if heard else "stop it at its controller, and see it stand"
     return f"{in_words(words)}: {translated(stop)}"
 
