@@ -27,7 +27,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import turns_written
-from labcal.gui.widgets.by_itself import ByItself, Part
+from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -66,8 +66,8 @@ class Frame(QMainWindow):
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.said_at, self.message, self.waiting = label("", "caption"), TwoLines(), label()
-        line = Part(self._show_line, self._blank_line)
-        self._parts = ByItself(Part(self.top.show_state, self.top.blank), *self.side.parts(), line)
+        line = ShownPart(self._show_line, self._blank_line)
+        self._parts = ByItself(ShownPart(self.top.show_state, self.top.blank), *self.side.parts(), line)
         self.next = NextButton(self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"))
         changed = self.tr("Next has just changed, and did nothing. It is now: {0}. Press it again.")
         self.next.too_soon.connect(lambda: lab.update(message=changed.format(self.next.following)))

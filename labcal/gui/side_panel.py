@@ -25,7 +25,7 @@ from labcal.gui.viewmodels.lab_now import (
     shown_name,
 )
 from labcal.gui.viewmodels.number_format import format_field, format_number
-from labcal.gui.widgets.by_itself import Part, cannot_be_shown
+from labcal.gui.widgets.by_itself import ShownPart, cannot_be_shown
 from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.rolled import Rolled
@@ -156,14 +156,14 @@ class SidePanel(Surface):
     def _next_unit(self) -> None:
         self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])
 
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[ShownPart, ...]:
         """Hands, coils, field, platform and lights, each to be shown by itself."""
         return (
-            Part(lambda state: self._show_coils(state.now), self._blank_coils),
-            Part(self._show_hands, self._blank_hands),
-            Part(self._show_field, self._blank_field),
-            Part(lambda state: self._show_platform(state.now), self._blank_platform),
-            Part(self._show_lights, self._blank_lights),
+            ShownPart(lambda state: self._show_coils(state.now), self._blank_coils),
+            ShownPart(self._show_hands, self._blank_hands),
+            ShownPart(self._show_field, self._blank_field),
+            ShownPart(lambda state: self._show_platform(state.now), self._blank_platform),
+            ShownPart(self._show_lights, self._blank_lights),
         )
 
     def _show_coils(self, now: LabNow) -> None:

@@ -28,13 +28,15 @@ def test_who_goes_on_later_is_not_told_that_whoever_ran_this_is_gone(running):
     assert not card.heading.property("state")
 
 
-def test_a_stop_that_was_asked_for_is_not_written_in_the_colour_of_an_alarm(running, monkeypatch):
-    live = running.page("Run").live
+def test_a_stop_that_was_asked_for_is_not_written_in_the_colour_of_an_alarm(running):
+    live, app_state = running.page("Run").live, running.app_state
     told(running, (0.0, 0.0, None))
-    monkeypatch.setattr(running.app_state, "warning_shown", True)
-    for fault, mark in ((fault_of(Stopped("stopped by the operator")), ""), (Fault("instrument", "dut: lost"), "bad")):
-        running.app_state.run.fault = fault
-        live._say_coils_left()
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", fault_of(Stopped("stopped by the operator"))))
+    app_state.off.warn(Fault("coils", "z: silent"))
+    for fault, mark in ((app_state.run.fault, ""), (Fault("instrument", "dut: lost"), "bad")):
+        app_state.run.fault = fault
+        app_state.lab.update(message=fault.kind)
+        assert live.verdict.reason.text()
         assert live.verdict.reason.property("state") == mark, fault
 
 

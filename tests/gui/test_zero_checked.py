@@ -19,7 +19,7 @@ def test_the_card_has_the_button_and_says_what_is_seen_now(qtbot, still):
     off.answer(SwitchOff, SwitchedOff(ends(), "2026-11-30 00:12 UTC, it sees 99", ADVICE))
     off.asked[-1].failed(Fault("instrument", "nobody answers"))  # who looks again by itself did not come so far
     assert not off.commands(CheckZero)
-    still._show_fault(still.app_state.off.unconfirmed)
+    still.app_state.fault.emit(still.app_state.off.unconfirmed)
     qtbot.mouseClick(still.fault.check_zero, Qt.MouseButton.LeftButton)
     assert len(off.commands(CheckZero)) == 1
     off.answer(CheckZero, Doubt(NOW, False, ends(), "2026-11-30 00:12 UTC, it sees 99"))

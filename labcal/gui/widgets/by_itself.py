@@ -23,7 +23,7 @@ def cannot_be_shown() -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class ShownPart:
     """`show` writes a state; `blank` takes away whatever stands there, and says that it cannot be shown."""
 
     show: Callable[[LabState], object]
@@ -33,7 +33,7 @@ class Part:
 class ByItself:
     """Shows `parts` in their order; what one fails over is told once, until that part can be shown again."""
 
-    def __init__(self, *parts: Part) -> None:
+    def __init__(self, *parts: ShownPart) -> None:
         self._parts, self._failed = parts, set[int]()
 
     def show(self, state: LabState) -> None:
