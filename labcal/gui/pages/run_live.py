@@ -340,10 +340,10 @@ class Live(QWidget):
         began = self._run.lab is not None or (self._run.fault is not None and self._run.fault.kind in BROKEN)
         self.fault.say_platform(self._app_state.platform_words() if began else "")  # else nothing was moved
         gives_way, back = self._app_state.warning_shown, self._answer_again()
+        fault = self._run.fault if gives_way and not back else None
         self.fault.setVisible(not (gives_way or back))
-        said = in_short(self._run.fault) if gives_way and self._run.fault is not None else ""
-        alarm = said and not back and self._run.fault is not None and self._run.fault.kind != "stopped"
-        self.verdict.say_reason(back or said, "bad" if alarm else "")
+        calm = fault is None or fault.kind == "stopped"  # as it was asked for: nothing failed
+        self.verdict.say_reason(in_short(fault) if fault is not None else back, "" if calm else "bad")
 
     def _answer_again(self) -> str:
         """Whom this run waited for in vain, and who was heard since; "" where that is none, or lost still."""
@@ -353,9 +353,8 @@ class Live(QWidget):
         """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         words = f"{words}. {now.in_common}" if now.in_common else words
-        say = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.")
-        off = ", ".join(self._app_state.by_hand())
-        return say.format(words, off) if off and now.coils_at_zero is False else words
+        say, off = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand."), self._app_state.by_hand()
+        return say.format(words, ", ".join(off)) if off and now.coils_at_zero is False else words
 
     def _ask(self) -> None:
         prompt = self._run.prompt
