@@ -29,7 +29,7 @@ from labcal.files.home import own_file, own_folder
 Row = tuple[int, bytes, bytes]
 Deed = Literal[
     "begin", "run", "import", "approve", "sign", "key", "trust", "revoke", "export", "push", "correct", "void",
-    "override",
+    "override", "gone",
 ]  # fmt: skip
 FILE = "audit.sqlite"
 CONTEXT = b"labcal-audit/1\n"

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from labcal.bench.coils.at_zero import AtZero
 
 DONE, INSTRUMENT_FAILED = 0, 3  # as the command line's
+NO_ANSWER = "supplies of an earlier session do not answer"
+GONE = "Switch them off by hand; where they are gone, say so in labcal's window after COILS OFF"
 NAMED = "what was driven under this name or, where nothing was, what the file still says of its supplies"
 _ended: dict[Path, list[AtZero] | Exception] = {}
 _stage: dict[Path, StageStop] = {}
@@ -84,6 +86,8 @@ def reported(file: Path, ended: list[AtZero]) -> int:
     if why := unread(file):
         aloud(f"! {why}. Reported above is {NAMED}.")
     print(one_line(left_so(file, ended)), flush=True)
+    if left := ", ".join(end.axis for end in ended if end.earlier_at and end.fault):
+        aloud(f"! {NO_ANSWER}: {left}. {GONE}")
     if file in _stage and (platform := _stage.pop(file).ended()) is not None:
         why = f" ({platform.fault})" if platform.fault else ""
         aloud(platform.sentence(time.monotonic()) + why)

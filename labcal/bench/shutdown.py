@@ -202,15 +202,17 @@ def _reported_by(guardian: Connection, number: int, asked: list[object], meanwhi
 
 
 def _in_order(reported: Mapping[str, AtZero], stated: Sequence[Bench]) -> list[AtZero]:
-    """The ends, each by the axis that the file gives its supply; whom it does not name, by its port too."""
+    """The ends, each by the axis that the file gives its supply; whom it does not name is of an earlier session."""
     axes = {supply: axis for bench in stated[:1] for axis, supply in _supplies(bench).items()}
-    ends = [(supply in axes, axes.get(supply, end.axis), supply, end) for supply, end in reported.items()]
-    every = {axis for of_file, axis, _, _ in ends if of_file}
     named = [
-        replace(end, axis=axis if of_file or axis not in every else f"{axis} at {_port(supply)}")
-        for of_file, axis, supply, end in ends
+        replace(end, axis=axes[supply]) if supply in axes else _of_earlier(end, _port(supply)) if axes else end
+        for supply, end in reported.items()
     ]
     return sorted(named, key=lambda end: end.axis)
+
+
+def _of_earlier(end: AtZero, port: str) -> AtZero:
+    return replace(end, axis=f"{end.axis} at {port}", earlier_at=port)
 
 
 def _port(supply: str) -> str:

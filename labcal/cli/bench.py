@@ -45,6 +45,9 @@ def check(
     looked = look_again(file, clear_as)
     if looked is not None:
         say(looked.words)
+        for more in (looked.advice, looked.before and f"First seen {looked.before}"):
+            if more:
+                say(f"{more}.")
     elif clear_as:
         say("No zero of this bench is in doubt; there is nothing to clear.")
     if (remark := cage_remark(file)) is not None:

@@ -27,6 +27,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import turns_written
+from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -65,6 +66,8 @@ class Frame(QMainWindow):
         self.resize(1360, 860)
         self.top, self.side, self.stack = TopBar(), SidePanel(), QStackedWidget()
         self.said_at, self.message, self.waiting = label("", "caption"), TwoLines(), label()
+        line = ShownPart(self._show_line, self._blank_line)
+        self._parts = ByItself(ShownPart(self.top.show_state, self.top.blank), *self.side.parts(), line)
         self.next = NextButton(self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"))
         changed = self.tr("Next has just changed, and did nothing. It is now: {0}. Press it again.")
         self.next.too_soon.connect(lambda: lab.update(message=changed.format(self.next.following)))
@@ -230,12 +233,17 @@ class Frame(QMainWindow):
 
     def show_state(self, state: LabState) -> None:
         """Write the lab's state into every part of the frame."""
-        self.top.show_state(state)
-        self.side.show_state(state)
+        self._parts.show(state)
+
+    def _show_line(self, state: LabState) -> None:
         self.said_at.setText(state.said_at)
         self.message.setText(turns_written(in_words(state.message)))
         self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
+
+    def _blank_line(self) -> None:
+        for part in (self.said_at, self.message, self.waiting):
+            part.setText("")
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""

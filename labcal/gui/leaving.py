@@ -8,11 +8,13 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QMenu, QStyle, QSystemTrayIcon
 
+from labcal.bench.coils.state import NOT_READ
 from labcal.gui.frame import Frame
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.hands_now import reasons
 from labcal.gui.viewmodels.lab import LabState
-from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.viewmodels.lab_now import as_watched, platform_said
 from labcal.gui.widgets.close_at_rest import CloseAtRest
 from labcal.gui.widgets.close_question import CloseQuestion
 from labcal.gui.widgets.going_down import GoingDown
@@ -156,6 +158,7 @@ class Leaving(QObject):
             coils = (in_words(app_state.coil_words()), now.silent_with_current)
             self.still_on.say(
                 by_hand=app_state.by_hand(),
+                coils_in_doubt=bool(now.earlier_on or reasons(now.coil_words or NOT_READ, "")),
                 coils=". ".join(filter(None, coils)),
                 platform=platform_said(now.platform_words),
                 guarded=self._guarded,
@@ -174,9 +177,10 @@ class Leaving(QObject):
         self._say_still_on()
         if self.question is not None:
             self.question.say_hands(*state.hands)
+        seen = as_watched(state.now)
         for dialog in (self.question, self.going):
             if dialog is not None:
-                dialog.say_lab(state.now.coil_words, state.now.platform_words)
+                dialog.say_lab(seen.coil_words, seen.platform_words)
 
     def _go_behind(self) -> None:
         self.behind = True

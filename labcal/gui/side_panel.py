@@ -12,17 +12,20 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import guardian_is
+from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import (
     LIGHT_SHAPES,
     LabNow,
     age_words,
+    as_watched,
     field_age,
     mark_of,
     platform_drawn,
     shown_name,
 )
 from labcal.gui.viewmodels.number_format import format_field, format_number
+from labcal.gui.widgets.by_itself import ShownPart, cannot_be_shown
 from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.rolled import Rolled
@@ -153,26 +156,27 @@ class SidePanel(Surface):
     def _next_unit(self) -> None:
         self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])
 
-    def show_state(self, state: LabState) -> None:
-        """Write the hands, the coils, the field, the platform and the lights."""
-        self.unit.setText(state.unit)
-        self._show_coils(state.now)
-        self._show_hands(state)
-        self._show_field(state)
-        self._show_platform(state.now)
-        self._show_lights(state)
-        self.read_all.setEnabled(bool(state.bench) and not state.now.driven and not state.reading)
+    def parts(self) -> tuple[ShownPart, ...]:
+        """Hands, coils, field, platform and lights, each to be shown by itself."""
+        return (
+            ShownPart(lambda state: self._show_coils(state.now), self._blank_coils),
+            ShownPart(self._show_hands, self._blank_hands),
+            ShownPart(self._show_field, self._blank_field),
+            ShownPart(lambda state: self._show_platform(state.now), self._blank_platform),
+            ShownPart(self._show_lights, self._blank_lights),
+        )
 
     def _show_coils(self, now: LabNow) -> None:
         old = "" if now.coil_old_s is None else "old"
         self.coils_age.setText(age_words(now.coil_old_s))
-        for row, axis in enumerate(now.coil_A):
-            self.coils.show_row(row, "–" if axis is None else format_number(axis, 3), state=old)
-        shape, mark = mark_of(now.coil_words, at_rest=now.at_rest)
+        for row, current in enumerate(now.coil_A):  # x, y, z
+            self.coils.show_row(row, "–" if current is None else format_number(current, 3), state=old)
+        words = as_watched(now).coil_words  # what was read so short ago is watched: of how old it is the rows speak
+        shape, mark = mark_of(words, at_rest=now.at_rest)
         on = self.tr("on")
-        self.coils_on.setText(f"{shape} {on}" if now.coil_words.startswith(ON) else "")
+        self.coils_on.setText(f"{shape} {on}" if words.startswith(ON) else "")
         set_state(self.coils_on, mark)
-        self.zero_words.setText(f"{shape} {in_words(now.coil_words)}".strip())
+        self.zero_words.setText(f"{shape} {in_words(words)}".strip())
         set_state(self.zero_words, mark)
 
     def _show_hands(self, state: LabState) -> None:
@@ -181,7 +185,7 @@ class SidePanel(Surface):
         self.keep_off.setText(off)
         set_state(self.keep_off, off_mark)
         self.keep_off.setVisible(bool(off))
-        coils = state.now.coil_words
+        coils = as_watched(state.now).coil_words
         said, mark = state.hands
         answer, _, why = said.partition(":")
         self.may_go_in.setText(answer.strip() if why else said)
@@ -190,16 +194,48 @@ class SidePanel(Surface):
         self.hands.setVisible(bool(said))
         for place in (self.may_go_in, self.hands):
             set_state(place, mark)
-        again = mark == "good" or in_words(coils) in why or coils.startswith(ON)
+        again = mark in MAY or in_words(coils) in why or coils.startswith(ON)
         again = again or (off_mark == "bad" and mark_of(coils)[1] in ("", "good"))  # what calms stands below no alarm
         self.zero_words.setVisible(bool(coils) and not again)
         self.hands_group.setVisible(bool(off or said or (coils and not again)))
+
+    def _blank_coils(self) -> None:
+        self.coils.blank()
+        self.coils_age.setText(cannot_be_shown())
+        for said in (self.coils_on, self.zero_words):
+            said.setText("")
+
+    def _blank_hands(self) -> None:
+        self.keep_off.setText(f"▲ {cannot_be_shown()}")
+        set_state(self.keep_off, "bad")
+        self.keep_off.show()
+        self.hands_group.show()
+        for said in (self.may_go_in, self.hands, self.zero_words):
+            said.hide()
+
+    def _blank_field(self) -> None:
+        self.field.blank()
+        self.field_age.setText(cannot_be_shown())
+
+    def _blank_platform(self) -> None:
+        self.platform.say(cannot_be_shown(), cannot_be_shown())
+        set_state(self.platform, "bad")
+        self.platform_group.age.setText("")
+        self.angle.setText("")
+
+    def _blank_lights(self) -> None:
+        self.legend.setText(cannot_be_shown())
+        set_state(self.legend, "bad")
+        self.legend.show()
+        for row in self.rows:
+            row.hide()
 
     def _show_field(self, state: LabState) -> None:
         def size(vector: tuple[float, float, float] | None) -> str:
             return "–" if vector is None else format_field(hypot(*vector), state.unit, signed=False)
 
         now = state.now
+        self.unit.setText(state.unit)
         set_old, old = ("old" if one else "" for one in (age_words(now.coil_old_s), field_age(now)))
         self.field_age.setText(field_age(now))
         self.field.show_row(SET, size(now.field_set_nT), state=set_old)
@@ -231,6 +267,7 @@ class SidePanel(Surface):
         while len(self.rows) < len(state.now.lights):
             self.rows.append(InstrumentRow())
             self._lights.addWidget(self.rows[-1])
+        self.read_all.setEnabled(bool(state.bench) and not state.now.driven and not state.reading)
         others = dict(state.other_serials)
         of_all = self._of_all(state)
         self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.widgets.barcode_scanner import takes_names, takes_scans
+from labcal.gui.widgets.by_itself import cannot_be_shown
 from labcal.gui.widgets.common import OneLine, Surface, label, plain, set_state
 
 
@@ -70,6 +71,12 @@ class TopBar(Surface):
         set_state(self.keep_off, mark)
         self.keep_off.setVisible(bool(words))
         self.simulated.setVisible(state.simulated)
+
+    def blank(self) -> None:
+        """It cannot be shown: no old word on hands stays."""
+        self.keep_off.setText(f"▲ {cannot_be_shown()}")
+        set_state(self.keep_off, "bad")
+        self.keep_off.show()
 
     def _show_objections(self, state: LabState) -> None:
         """A red frame around what is not accepted, and the reason below, whichever page is open."""

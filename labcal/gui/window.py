@@ -39,6 +39,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
+from labcal.gui.widgets.earlier_card import EarlierCard
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
@@ -80,12 +81,14 @@ class Window(Frame):
         self._before_wall: QSize | None = None
         self.fault = FaultCard(hands=app_state.hands)
         self.scan_card, self.shown_bar = ScanCard(app_state.scan_vm), ShownBar(app_state)
-        for card in (self.fault, self.scan_card, self.shown_bar):
+        self.earlier = EarlierCard(app_state.off.earlier, app_state.lab)
+        for card in (self.fault, self.earlier, self.scan_card, self.shown_bar):
             card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
+        self.fault.zero_wanted.connect(app_state.off.check_zero)
         self.setAcceptDrops(True)
         self.scanner, self.leaving, self._may_go = Scanner(self), Leaving(self, app_state), False
         self.key_handlers += [hold_button.handle_key, self.scanner.handle_key]
@@ -238,7 +241,7 @@ class Window(Frame):
             keys.setStyleSheet(sheet)
             keys.fit_into(self.size())
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
-        above = self.fault, self.scan_card, self.shown_bar
+        above = self.fault, self.earlier, self.scan_card, self.shown_bar
         for part in (self.top, self.side, self.sidebar, self.bottom, *above, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
@@ -357,6 +360,7 @@ class Window(Frame):
             known = ". ".join(filter(None, (now.silent_with_current, now.in_common)))
             self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), known)
             self.fault.say_platform(self.app_state.platform_words())
+        self.fault.let_check_zero(said and self.app_state.off.zero_in_doubt())
         self.fault.let_close(not (said and self.app_state.still_live()))
         self.app_state.warning_shown = said and not self.fault.isHidden()
 

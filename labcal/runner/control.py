@@ -22,6 +22,13 @@ class Left(Aborted):
     """Whoever ran this is gone, or stands still: the same way out."""
 
 
+LATER = "stopped by the operator, to be gone on with later"
+
+
+class Later(Left):
+    """Nobody is gone: the operator goes on with it later, and said so. The same way out."""
+
+
 class NotKept(Aborted):
     """The record cannot be kept, for the reason `fault`: the same way out, and the run may be gone on with."""
 
@@ -32,8 +39,10 @@ class NotKept(Aborted):
 
 def stopped_by(fault: BaseException | None) -> dict[str, str]:
     """What the last word of a record says of a run that a person ended; nothing of all others."""
-    person = isinstance(fault, Stopped | KeyboardInterrupt) and not isinstance(fault, Left | NotKept)
-    return {STOPPED_BY: BY_ABORT if isinstance(fault, Aborted) else "operator"} if person else {}
+    nobody = isinstance(fault, Left | NotKept) and not isinstance(fault, Later)
+    person = isinstance(fault, Stopped | KeyboardInterrupt) and not nobody
+    by_abort = isinstance(fault, Aborted) and not isinstance(fault, Later)
+    return {STOPPED_BY: BY_ABORT if by_abort else "operator"} if person else {}
 
 
 class Control:
@@ -104,6 +113,6 @@ class Control:
         if self._abort.is_set():
             raise Aborted("aborted by the operator")
         if self._left.is_set():
-            raise Left(self._why_left)
+            raise (Later if self._why_left == LATER else Left)(self._why_left)
         if self._stop.is_set():
             raise Stopped("stopped by the operator")

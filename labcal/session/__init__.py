@@ -45,10 +45,12 @@ from labcal.session.importing import ImportRequest, ImportResult, import_foreign
 from labcal.session.instruments import (
     coils_off,
     coils_off_and_stopped,
+    earlier_supplies_are_gone,
     find_instruments,
     identify_instruments,
     look_again,
     read_lab,
+    refuse_doubt,
     serve_bench,
 )
 from labcal.session.made_ready import begin_to_make_ready
@@ -98,6 +100,7 @@ __all__ = [
     "correct_serial",
     "describe_run",
     "draft",
+    "earlier_supplies_are_gone",
     "export_calibration",
     "export_run",
     "filter_history",
@@ -167,6 +170,7 @@ def run(
         filled["calibration"] = load_calibration(Path(texts.pop("calibration")))
     named = run_id or run_id_at(datetime.now(UTC))
     first = admitted(bench, dut, found.name, named, override)  # before any instrument is spoken to
+    refuse_doubt(bench)
     remark = cage_remark(bench)
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open(store) as kept:
         if first is not None and override is not None:
@@ -200,6 +204,7 @@ def resume(
 
     `procedure` names the file where the run's was a file of one's own.
     """
+    refuse_doubt(bench)
     remark = cage_remark(bench)
     with closing(open_bench(bench, clock=clock, seed=seed)) as lab, Store.open() as kept:
         found, ask = find(procedure or kept.header(run).procedure), answer or yes_to_all(lab.simulated)

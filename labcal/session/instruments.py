@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING
 
 from labcal.bench import shutdown
 from labcal.bench.coils.at_zero import AtZero
+from labcal.bench.coils.doubt import doubt_of
 from labcal.bench.coils.state import PlatformReading
 from labcal.bench.identify import Identified, identify_all
 from labcal.bench.stage_off import StageStop
+from labcal.errors import InputError
 from labcal.files.atomic import write_text
 from labcal.files.outputs import claim
 from labcal.files.toml_file import named_files
@@ -83,9 +85,32 @@ def look_again(bench: Path, clear_as: str = "") -> Looked | None:
     return look_again(bench, clear_as)
 
 
+def refuse_doubt(bench: Path) -> None:
+    """Where a zero of this bench is in doubt it is measured now. Raises InstrumentError where it is in doubt still."""
+    if doubt_of(bench):
+        from labcal.bench.look_again import refuse_doubt
+
+        refuse_doubt(bench)
+
+
 def coils_off(bench: Path) -> list[AtZero]:
     """Every coil to zero and open, one report an axis."""
     return shutdown.coils_off(bench)
+
+
+def earlier_supplies_are_gone(bench: Path, ports: Sequence[str], who: str) -> None:
+    """`who` says that what an earlier session on `bench` drove at these ports is gone: nobody asks for it again.
+
+    Raises InputError where nobody says it.
+    """
+    from labcal.bench.guardian.earlier import forget
+    from labcal.session.audited import note
+
+    if not who:
+        raise InputError("who says that these supplies are gone is named in the audit log; nobody was named")
+    check_person(who)
+    note("gone", who, bench=bench.name, supplies=", ".join(ports))
+    forget(bench, ports)
 
 
 def coils_off_and_stopped(bench: Path) -> tuple[list[AtZero], PlatformReading | None]:

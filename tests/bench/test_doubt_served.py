@@ -14,7 +14,8 @@ from labcal.bench.coils.state import AT_ZERO
 from labcal.bench.config import read_config
 from labcal.bench.look_again import look_again
 from labcal.cli import main
-from labcal.record.stream import Event, Item
+from labcal.errors import InstrumentError, Stopped
+from labcal.record.stream import Event, Item, Prompt
 from labcal.runner.prompts import first_choice
 
 AMBIENT = (20_400.0, 1_150.0, -43_700.0)
@@ -42,7 +43,8 @@ def test_what_still_disagrees_is_lifted_by_name_alone(
 ) -> None:
     latch = doubted(lab, ELSEWHERE)
     for words, code, says in (
-        ([], 3, "NOT at zero by the reference, "),
+        ([], 3, "NOT at zero by the reference: it sees 20"),
+        ([], 3, "First seen 2026-01-01 00:00 UTC, it sees 99"),
         (["--clear-as", "Ada Obi"], 0, "Ada Obi answers for it: the coils may be energised again."),
         (["--clear-as", "Ada Obi"], 0, "there is nothing to clear"),
     ):
@@ -56,6 +58,42 @@ def test_what_still_disagrees_is_lifted_by_name_alone(
     assert kept["lifted"].startswith("Ada Obi answers for it, ")
     assert "the reference sees 20" in kept["lifted"]
     assert "coil x zero, open" in kept["lifted"]
+
+
+def test_a_run_measures_a_doubt_before_any_question_and_goes_on_where_it_is_a_zero(lab: Served) -> None:
+    asked, said = list[str](), list[str]()
+
+    def answer(prompt: Prompt) -> str:
+        asked.append(prompt.key)
+        raise Stopped("enough")
+
+    def tell(item: Item) -> None:
+        said.append(getattr(item, "kind", ""))
+
+    doubted(lab, ELSEWHERE)
+    with pytest.raises(InstrumentError, match="NOT at zero by the reference: it sees 20") as caught:
+        session.run("field-hold", lab.file, {"duration_s": "10"}, answer=answer, operator="x", on_item=tell)
+    assert asked == []
+    assert "2026-01-01" not in caught.value.what  # what was seen then is no word of now
+    assert "2026-01-01" in caught.value.mends
+    doubted(lab, AMBIENT)
+    outcome = session.run("field-hold", lab.file, {"duration_s": "10"}, answer=answer, operator="x", on_item=tell)
+    assert asked
+    assert outcome.status == "stopped"
+    assert StoredDoubt(read_config(lab.file).guarded_links).doubt is None
+
+
+def test_a_silent_supply_is_named_and_not_a_reference_that_sees_the_zero(lab: Served) -> None:
+    doubted(lab, AMBIENT)
+    mute = lab.emulator("supply_y")
+    mute.emit = lambda until_s: []
+    try:
+        looked = look_again(lab.file)
+    finally:
+        vars(mute).pop("emit", None)
+    assert looked is not None
+    assert not looked.lifted
+    assert looked.words.startswith("coils NOT confirmed at zero: coil y: ")
 
 
 @pytest.mark.slow

@@ -96,7 +96,7 @@ def test_the_end_of_the_run_may_be_wanted_while_hands_are_kept_out(running):
 def test_whether_hands_are_off_is_asked_as_before_while_something_turns(running):
     send(running, READY)
     says(running, platform=stands(moving=True))
-    assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == READY.text
+    assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == f"Next: {READY.text}"
 
 
 @pytest.mark.parametrize(("set_A", "answered"), [(0.4, True), (0.0, False)])  # by the run; by nobody that is known
@@ -146,7 +146,7 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
 
 def test_it_stands_there_in_every_state_of_a_run(running):
     says(running, platform=stands())
-    said = "✓ Hands may go in: coils read back at zero by their supplies"
+    said = "● Hands may go in: coils read back at zero by their supplies"
     assert running.side.hands.text().startswith(said)
     send(running, READY)
     running.app_state.run.answer("done")

@@ -75,7 +75,7 @@ def test_a_fault_names_the_instrument_and_not_its_link_alone(still):
     still.app_state.run.links = LINKS
     card = fail(still, LOST)
     assert card.text.text() == "reference (serial:///dev/ttyUSB9): the link was lost."
-    assert ("reference", "fault", "failed") in still.app_state.lab.state.now.lights
+    assert ("reference", "fault", "no answer (link lost)") in still.app_state.lab.state.now.lights
     assert with_instrument_names(Fault("instrument", "dut: silent"), LINKS).text == "dut: silent"
     for said in ("reference (serial:///dev/ttyUSB9): it is lost.", "reference: serial:///dev/ttyUSB9: it is lost."):
         known = with_instrument_names(Fault("instrument", said), LINKS).text
@@ -168,7 +168,7 @@ def test_the_words_of_a_question_go_when_the_run_fails_under_it(still):
 
 def test_after_a_run_its_zero_is_past_and_alarms_nobody(still):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
-    told(still, age_s=3.0)
+    told(still, age_s=5.0)
     assert still.side.zero_words.property("state") == "warning"
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
     still.app_state.grow_old()

@@ -22,10 +22,13 @@ def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_wit
     silent = Fault("instrument", "dut: no sample for 5.0 s.", "Is its plug in at both ends?")
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", silent))
     assert card.isVisibleTo(running.page("Run").live)
-    assert card.hands.text().startswith("✓ Hands may go in: coils read back at zero by their supplies")
+    assert card.hands.text().startswith("● Hands may go in: coils read back at zero by their supplies")
     later(4.0)
     card.say_hands()
-    assert card.hands.text() == "✓ Hands may go in: coils read back at zero by their supplies, 4 s ago"
+    assert (
+        card.hands.text()
+        == "● Hands may go in: coils read back at zero by their supplies, 4 s ago; no reference was asked"
+    )
     assert card.hands.isVisibleTo(card)
     later(WATCHED_S)
     card.say_hands()

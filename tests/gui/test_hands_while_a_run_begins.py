@@ -27,7 +27,7 @@ BEGINS = ("▲ Hands off: the run begins", "warning", "▲ Hands off")
 @pytest.fixture
 def at_zero(real):
     real.app_state.take_lab(lab(platform=stands()))
-    assert hands(real)[1] == "good"
+    assert hands(real)[1] == "alone"
     return real
 
 
@@ -39,7 +39,7 @@ def test_a_run_that_begins_is_no_time_to_reach_in(at_zero):
     send(at_zero, Step(0.0, 1, 4, "zero", 60.0, STEPS, 20.0))
     assert hands(at_zero) == BEGINS
     says(at_zero, platform=stands())
-    assert hands(at_zero)[1] == "good"
+    assert hands(at_zero)[1] == "alone"
 
 
 def test_nor_is_one_that_is_gone_on_with(at_zero):
@@ -52,14 +52,14 @@ def test_nor_is_one_that_goes_on_after_a_pause(at_zero):
     run.start(ORDER)
     says(at_zero, platform=stands())
     send(at_zero, Event(1.0, "pause", "paused", {}))
-    assert hands(at_zero)[1] == "good"
+    assert hands(at_zero)[1] == "alone"
     run.go_on()
     assert hands(at_zero) == BEGINS
     says(at_zero, platform=stands())  # it was on its way before the click
     assert hands(at_zero) == BEGINS
     send(at_zero, Event(2.0, "pause", "goes on", {}))
     says(at_zero, platform=stands())
-    assert hands(at_zero)[1] == "good"
+    assert hands(at_zero)[1] == "alone"
 
 
 def test_a_reason_that_is_known_stays_one(at_zero):
@@ -73,7 +73,7 @@ def test_at_rest_they_are_let_in_by_one_look_and_its_answer(real):
     old = lab(platform=stands())
     by = time.monotonic() - WATCHED_S - 0.5
     real.app_state.take_lab(old.shifted(by - time.monotonic()))
-    assert hands(real)[1] == "good"
+    assert hands(real)[1] == "alone"
     assert f"{WATCHED_S} s ago" in hands(real)[0]
     real.app_state.take_lab(old.shifted(by - time.monotonic() - 1.0))
     assert hands(real)[1] == "warning"

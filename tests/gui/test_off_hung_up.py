@@ -28,8 +28,8 @@ def test_a_window_that_hangs_up_does_not_end_its_worker_on_the_way_to_zero(
     reading, writing = (os.fdopen(end, mode) for end, mode in zip(os.pipe(), "rw", strict=True))
 
     def coming_down(_: Path) -> tuple[list[AtZero], None]:
-        writing.close()
         [listener] = (thread for thread in threading.enumerate() if thread.name == "window" and thread not in before)
+        writing.close()  # now, for it may be gone at once
         listener.join(LONG_S)
         at_zero.append(not ended)
         return [], None
@@ -57,8 +57,11 @@ def test_a_question_that_is_open_when_its_run_ends_takes_no_answer_of_the_next_r
             except Stopped as stopped:
                 told[key] = stopped
 
+        asked, check = threading.Event(), channel.control.check
+        monkeypatch.setattr(channel.control, "check", lambda: (asked.set(), check()))
         asking = threading.Thread(target=wait, daemon=True)
         asking.start()
+        assert asked.wait(LONG_S)  # of this run: on a busy computer the thread may begin after the next one's beginning
         return asking
 
     channel.run_begins(simulated=True)

@@ -183,7 +183,7 @@ def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new
     assert card.text.text().startswith(MOUNT[1])
     assert "Y" in card.text.text()
     assert new_window.message.text().startswith(MOUNT[1])
-    new_window.side.show_state(new_window.app_state.lab.state)
+    new_window.show_state(new_window.app_state.lab.state)
     card.say_lab(LabNow(coil_words=AT_ZERO))
     assert card.lab.text() == "✓ Spulen auf null"
     assert card.lab.property("state") == "good"

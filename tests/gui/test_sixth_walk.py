@@ -81,7 +81,7 @@ def test_that_hands_may_go_in_is_one_sentence_with_its_reason_and_nothing_is_amb
     card = asked(still, Prompt(1.0, "mount-x", "Mount it.", ("done",), True, UP))
     lab = lab_with(0.0, 0.0)
     still.app_state.bench_worker.states.emit(replace(lab, reference=Witness(why=NO_AMBIENT)))
-    said = "✓ Hands may go in: coils read back at zero by their supplies; "
+    said = "● Hands may go in: coils read back at zero by their supplies; "
     assert card.hands.text() == f"{said}the reference has no ambient field to compare with yet"
     assert not card.lab.isVisible()
     assert still.side.zero_words.text().startswith("■ coils read back at zero by their supplies")

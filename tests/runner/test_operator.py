@@ -25,6 +25,7 @@ from labcal.errors import InputError, InstrumentError, LimitNotMet
 from labcal.record.endings import ended_word
 from labcal.record.stream import FAULT, Event, Item, Measurement, Prompt, Step
 from labcal.runner import Control, Outcome, find, run_procedure
+from labcal.runner.control import LATER
 from labcal.store import Store
 
 BenchFile = Callable[..., Path]
@@ -130,14 +131,18 @@ def test_only_the_same_run_is_resumed(bench_file: BenchFile) -> None:
         assert store.status("R") == "interrupted"
 
 
-@pytest.mark.parametrize("by_a_person", [True, False])
+@pytest.mark.parametrize(
+    ("ends_it", "by_a_person"),
+    [(Control.stop, True), (lambda control: control.leave(LATER), True), (Control.leave, False)],
+    ids=["stop", "later", "gone"],
+)
 def test_a_run_that_a_person_stopped_is_listed_so_though_it_may_be_gone_on_with(
-    bench_file: BenchFile, by_a_person: bool
+    bench_file: BenchFile, ends_it: Callable[[Control], None], by_a_person: bool
 ) -> None:
     control = Control(to_be_resumed=True)
 
     def ends(prompt: Prompt) -> str:
-        control.stop() if by_a_person else control.leave()
+        ends_it(control)
         return prompt.choices[0]
 
     outcome = session.run("preflight", bench_file(), TWO_FIELDS, answer=ends, seed=2, control=control)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from labcal.errors import InstrumentError
@@ -21,6 +22,7 @@ class AtZero:
 
     `read_s`: when the current was read back, on `time.monotonic`. `from_A`: what its supply held when it was set to
     zero without a ramp, as far as that is known. `asked_s`: when it was last asked, where that was not in this round.
+    `earlier_at`: the port of a supply that an earlier session drove and the bench file does not name, of no coil of it.
     """
 
     axis: str
@@ -30,6 +32,12 @@ class AtZero:
     read_s: float | None = None
     from_A: float = 0.0
     asked_s: float | None = None
+    earlier_at: str = ""
+
+    @property
+    def link_is_gone(self) -> bool:
+        """Whether nothing is at its port any more, by the computer's own word: no more than silence, and no less."""
+        return self.fault is not None and self.fault.fault == "link lost" and "the link was lost" in self.fault.what
 
     @property
     def abrupt(self) -> bool:
@@ -61,6 +69,11 @@ class AtZero:
         if self.asked_s is None:
             return str(self.fault)
         return f"not asked this time; {time.monotonic() - self.asked_s:.1f} s ago: {self.fault}"
+
+
+def of_this_bench(ended: Iterable[AtZero]) -> list[AtZero]:
+    """Those whose supplies the bench file names: what an earlier session drove elsewhere is no coil of it."""
+    return [end for end in ended if not end.earlier_at]
 
 
 def words_of_slow_zero(since_s: float | None, ordered: bool) -> str:

@@ -14,6 +14,7 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+from labcal.bench.coils.at_zero import of_this_bench
 from labcal.bench.coils.state import NOT_BY_REFERENCE, OPEN_THEM, Vector, of_ends
 from labcal.bench.coils.zero import AtZero
 from labcal.bench.essentials import essentials
@@ -73,7 +74,7 @@ def _of(path: Path) -> Doubt | None:
 def left_so(path: Path, ended: Iterable[AtZero]) -> str:
     """What may be said now of coils that ended so; no reference was asked, but a doubt that stands is stated."""
     advice = OPEN_THEM if (doubt := _of(path)) is None else doubt.advice
-    return of_ends(ended, doubt_of(path), advice).sentence(time.monotonic())
+    return of_ends(of_this_bench(ended), doubt_of(path), advice).sentence(time.monotonic())
 
 
 class StoredDoubt:

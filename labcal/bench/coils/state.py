@@ -190,7 +190,7 @@ class LabState:
             return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {ago(age_s)}")
         if age_s > FRESH_S:
             return self._was_zero(age_s, clock_s)
-        return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self._why(now_s)}"
+        return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self.why_alone(now_s)}"
 
     def at_zero(self, now_s: float) -> bool | None:
         """Whether every coil was read back below its zero just now: False where not, None where that is not known."""
@@ -240,7 +240,8 @@ class LabState:
         seen_s = self.reference.read_s
         return self.reference.verdict == "agrees" and seen_s is not None and now_s - seen_s <= FRESH_S
 
-    def _why(self, now_s: float) -> str:
+    def why_alone(self, now_s: float) -> str:
+        """Why a zero rests on the supplies' word alone."""
         if self.reference.verdict == "agrees" and self.reference.read_s is not None:
             return f"the reference agreed when it was last looked at, {now_s - self.reference.read_s:.0f} s ago"
         age_s = 0.0 if self.reference.read_s is None else now_s - self.reference.read_s

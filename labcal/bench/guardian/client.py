@@ -19,7 +19,6 @@ from labcal.bench.guardian.briefing import Briefing
 from labcal.bench.guardian.last_read import LastRead
 from labcal.bench.links import ports
 from labcal.errors import InstrumentError
-from labcal.files.atomic import absolute
 
 if TYPE_CHECKING:
     import subprocess
@@ -372,7 +371,7 @@ def guarding(bench: Path, known: Sequence[object] = ()) -> list[Connection]:
     """
     addresses, there = list(known), list[Connection]()
     for card in ports.announced():
-        if _is_of(bench, card) and "address" in card and card["address"] not in addresses:
+        if wire.is_of(bench, card) and "address" in card and card["address"] not in addresses:
             addresses.append(card["address"])
             with suppress(*NOBODY_THERE):
                 there.append(Connection(card))
@@ -381,18 +380,14 @@ def guarding(bench: Path, known: Sequence[object] = ()) -> list[Connection]:
 
 def is_guarded(bench: Path) -> bool:
     """Whether a guardian of this bench file lives: it keeps trying until each coil is read back at zero."""
-    return any("address" in card and _is_of(bench, card) for card in ports.announced())
+    return any("address" in card and wire.is_of(bench, card) for card in ports.announced())
 
 
 def driven_before(bench: Path) -> list[Essentials]:
     """What guardians drove that were started for this bench file and died without bringing it to an end."""
-    tables = (card.get(ports.DRIVEN) for card in ports.left_behind() if _is_of(bench, card))
+    tables = (card.get(ports.DRIVEN) for card in ports.left_behind() if wire.is_of(bench, card))
     benches = [of_table(table) for table in tables if isinstance(table, dict)]
     return [one for k, one in enumerate(benches) if one is not None and one not in benches[:k]]
-
-
-def _is_of(bench: Path, card: dict[str, Any]) -> bool:
-    return bool({str(absolute(bench)), os.path.abspath(bench)} & {card.get("bench"), card.get("named")})
 
 
 def guarded_benches() -> list[str]:

@@ -16,6 +16,7 @@ from typing import Any
 from labcal.bench.coils.at_zero import AtZero
 from labcal.bench.links.places import belongs, runtime_folder, user
 from labcal.errors import InstrumentError, LimitError
+from labcal.files.atomic import absolute
 
 Message = dict[str, Any]
 Card = dict[str, Any]  # pid, address, token: how a guardian is reached
@@ -138,6 +139,11 @@ def zero_message(end: AtZero) -> Message:
     said = {"axis": end.axis, "current_A": end.current_A, "opened": end.opened, "fault": fault}
     times = {"read_s": end.read_s, "asked_s": end.asked_s}  # the monotonic clock is one for all processes of a computer
     return said | times | {"from_A": end.from_A}
+
+
+def is_of(bench: Path, card: Card) -> bool:
+    """Whether that is the card of a guardian of this bench file."""
+    return bool({str(absolute(bench)), os.path.abspath(bench)} & {card.get("bench"), card.get("named")})
 
 
 def zero_of(message: Message) -> AtZero:

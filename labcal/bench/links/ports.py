@@ -24,8 +24,8 @@ from labcal.bench.links.visa import canonical
 from labcal.errors import InputError, InstrumentError
 
 __all__ = [
-    "announce", "announced", "as_spelt", "claim", "hold", "holder", "holding", "left_behind", "let_go", "meet",
-    "port_of", "refuse_connected", "runtime_folder", "still_held",
+    "amend_left_behind", "announce", "announced", "as_spelt", "claim", "hold", "holder", "holding", "left_behind",
+    "let_go", "meet", "port_of", "refuse_connected", "runtime_folder", "still_held",
 ]  # fmt: skip
 
 GUARDIAN = "End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile."
@@ -175,6 +175,18 @@ def left_behind() -> list[dict[str, Any]]:
     """
     cards = [locks.left_behind(path) for folder in folders() for path in sorted(folder.glob("port-*.lock"))]
     return [_driving(card) or card for card in cards if card]
+
+
+def amend_left_behind(amend: Callable[[dict[str, Any]], dict[str, Any]]) -> None:
+    """What dead guardians drove, as `amend` has it of each card; {} is forgotten. Ports that somebody has are left."""
+    for path in (path for folder in folders() for path in sorted(folder.glob("port-*.lock"))):
+        with suppress(OSError):
+            if (before := _driving(locks.left_behind(path))) and (file := locks.take(path)) is not None:
+                if after := amend(before):
+                    locks.write(file, after)
+                    file.close()
+                else:
+                    locks.release(file, path)
 
 
 def refuse_connected(urls: Iterable[str]) -> None:

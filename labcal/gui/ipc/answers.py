@@ -13,6 +13,9 @@ from labcal.bench.coils.state import PlatformReading
 from labcal.bench.parameters import ParameterSpec
 from labcal.gui.ipc.bench_facts import Bench as Bench
 from labcal.gui.ipc.bench_facts import Cage as Cage
+from labcal.gui.ipc.bench_facts import CoilEnd as CoilEnd
+from labcal.gui.ipc.bench_facts import Doubt as Doubt
+from labcal.gui.ipc.bench_facts import EarlierSupply as EarlierSupply
 from labcal.gui.ipc.bench_facts import Earth as Earth
 from labcal.gui.ipc.bench_facts import Instrument as Instrument
 from labcal.gui.ipc.bench_facts import Reference as Reference
@@ -90,15 +93,6 @@ class InstrumentAnswer:
 
 
 @dataclass(frozen=True, slots=True)
-class Doubt:
-    """A zero that the reference did not see, measured again; `coils` as they were read back then."""
-
-    words: str
-    lifted: bool
-    coils: tuple[CoilEnd, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
 class Identified:
     """Every instrument's answer, and what became of the doubt about zero where there was one."""
 
@@ -107,19 +101,8 @@ class Identified:
 
 
 @dataclass(frozen=True, slots=True)
-class CoilEnd:
-    """One axis as it was read back when it was switched off; None is not known."""
-
-    axis: str
-    current_A: float | None
-    words: str
-    ok: bool
-    read_s: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
 class SwitchedOff:
-    """Every axis, and the doubt that stands about zero ("": none), with what a person can do about it.
+    """Every axis of the bench, and the doubt that stands about zero ("": none), with what a person can do about it.
 
     `platform`: as it was brought to a stop; None where whoever drives it does that, or it has no motor.
     """
@@ -128,6 +111,7 @@ class SwitchedOff:
     doubt: str = ""
     advice: str = ""
     platform: PlatformReading | None = None
+    earlier: tuple[EarlierSupply, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,6 +18,7 @@ from labcal.gui.ipc.answers import (
     Cage,
     CoilEnd,
     Doubt,
+    EarlierSupply,
     Earth,
     Ended,
     Identified,
@@ -32,6 +33,8 @@ from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.messages import (
+    CheckZero,
+    EarlierAreGone,
     GoesOn,
     Identify,
     ListProcedures,
@@ -52,6 +55,7 @@ if TYPE_CHECKING:
     from labcal.bench.coils.zero import AtZero
     from labcal.bench.config import BenchConfig, CageConfig, SiteConfig
     from labcal.bench.identify import Identified as Answered
+    from labcal.bench.look_again import Looked
     from labcal.bench.reading import InstrumentReading
     from labcal.runner import FoundProcedure, Outcome
 
@@ -123,9 +127,20 @@ def identify(channel: Channel, asked: Identify) -> Identified:
 
     answers = tuple(_instrument_answer(one) for one in session.identify_instruments(Path(asked.bench)))
     looked = session.look_again(Path(asked.bench))
-    if looked is None:
-        return Identified(answers, None)
-    return Identified(answers, Doubt(looked.words, looked.lifted, tuple(map(_coil_end, looked.ended))))
+    return Identified(answers, None if looked is None else _doubt(looked))
+
+
+def check_zero(channel: Channel, asked: CheckZero) -> Doubt:
+    """Coils to zero, then what the reference sees; where nothing is in doubt, that."""
+    from labcal import session
+
+    looked = session.look_again(Path(asked.bench))
+    return Doubt("", True) if looked is None else _doubt(looked)
+
+
+def _doubt(looked: Looked) -> Doubt:
+    words = f"{looked.words} {looked.advice}".strip()
+    return Doubt(words, looked.lifted, tuple(map(_coil_end, looked.ended)), looked.before)
 
 
 def _instrument_answer(one: Answered) -> InstrumentAnswer:
@@ -149,12 +164,28 @@ def _instrument_read(one: InstrumentReading) -> InstrumentRead:
 def switch_off(channel: Channel, asked: SwitchOff) -> SwitchedOff:
     """Every coil to zero and open, one report an axis, with when it was read and the doubt that stands about zero."""
     from labcal import session
+    from labcal.bench.coils.at_zero import of_this_bench
     from labcal.bench.coils.doubt import advice_of, doubt_of
 
     path = Path(asked.bench)
     with channel.on_the_way_to_zero():
         ended, platform = session.coils_off_and_stopped(path)
-    return SwitchedOff(tuple(map(_coil_end, ended)), doubt_of(path), advice_of(path), platform)
+    earlier = tuple(_earlier(end) for end in ended if end.earlier_at and end.fault is not None)
+    coils = tuple(map(_coil_end, of_this_bench(ended)))
+    return SwitchedOff(coils, doubt_of(path), advice_of(path), platform, earlier)
+
+
+def _earlier(one: AtZero) -> EarlierSupply:
+    flows = one.fault is not None and one.fault.fault == "not zero"
+    return EarlierSupply(one.axis, one.earlier_at, one.words, one.link_is_gone, flows)
+
+
+def earlier_are_gone(channel: Channel, asked: EarlierAreGone) -> bool:
+    """Have nobody ask for these again. Raises InputError: nobody says so, or the audit log takes no entry."""
+    from labcal import session
+
+    session.earlier_supplies_are_gone(Path(asked.bench), asked.ports, asked.who)
+    return True
 
 
 def _coil_end(one: AtZero) -> CoilEnd:
@@ -271,6 +302,8 @@ HANDLERS = (
     handles(Identify, identify),
     handles(ReadLab, read_lab),
     handles(SwitchOff, switch_off),
+    handles(CheckZero, check_zero),
+    handles(EarlierAreGone, earlier_are_gone),
     handles(RunProcedure, run),
     handles(ResumeRun, resume),
     handles(Rejoin, rejoin),

@@ -43,6 +43,41 @@ class Reference:
 
 
 @dataclass(frozen=True, slots=True)
+class CoilEnd:
+    """One axis as it was read back when it was switched off; None is not known."""
+
+    axis: str
+    current_A: float | None
+    words: str
+    ok: bool
+    read_s: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Doubt:
+    """A zero that the reference did not see, measured again; `before`: what was seen then; `coils` as read back now."""
+
+    words: str
+    lifted: bool
+    coils: tuple[CoilEnd, ...] = ()
+    before: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class EarlierSupply:
+    """One that an earlier session drove at another link, and that was not read back at zero; `name`: axis and port.
+
+    `gone`: nothing is at its link any more. `flows`: it answers, and is not at zero.
+    """
+
+    name: str
+    port: str
+    words: str
+    gone: bool
+    flows: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Earth:
     """The magnitude that a model of the Earth's field expects outdoors at the bench's place today, and U (k=2) [nT]."""
 

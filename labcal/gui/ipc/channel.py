@@ -39,7 +39,7 @@ from labcal.gui.ipc.messages import (
 from labcal.gui.ipc.wire import fault_of
 from labcal.record.stream import Block, Item, Prompt
 from labcal.runner import Control
-from labcal.runner.control import STOOD_STILL
+from labcal.runner.control import LATER, STOOD_STILL
 from labcal.system.run_door import Caller, Door
 
 BATCH_S = 0.04  # samples go out at most 25 times a second
@@ -282,7 +282,7 @@ class Channel:
             case GoOn():
                 self.control.resume()
             case Stop(later):
-                self.control.leave() if later else self.control.stop()
+                self.control.leave(LATER) if later else self.control.stop()
             case Abort():
                 self.control.abort()
             case Note(text, data):

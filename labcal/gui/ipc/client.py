@@ -31,7 +31,7 @@ from labcal.gui.ipc.messages import (
     StateRead,
     Word,
 )
-from labcal.gui.ipc.wire import Fault
+from labcal.gui.ipc.wire import OWN_MISTAKE, Fault
 
 R = TypeVar("R")
 OnFault = Callable[[Fault], object]
@@ -219,7 +219,7 @@ class Client(QObject):
         try:
             answer = read_answer(command, said)
         except InputError as error:
-            failed(Fault("crash", str(error)))
+            failed(Fault("crash", OWN_MISTAKE, "", str(error)))
         else:
             then(answer)
 

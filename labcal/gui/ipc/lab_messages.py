@@ -34,10 +34,26 @@ class InstrumentRead:
 
 
 @dataclass(frozen=True, slots=True)
+class CheckZero(Command[answers.Doubt]):
+    """Take the coils of a bench to zero, and measure again the zero that is in doubt."""
+
+    bench: str
+
+
+@dataclass(frozen=True, slots=True)
 class Identify(Command[answers.Identified]):
     """Ask every instrument of a bench who it is."""
 
     bench: str
+
+
+@dataclass(frozen=True, slots=True)
+class EarlierAreGone(Command[bool]):
+    """`who` says that the supplies of an earlier session on a bench, at these ports, are there no more."""
+
+    bench: str
+    ports: tuple[str, ...]
+    who: str
 
 
 @dataclass(frozen=True, slots=True)

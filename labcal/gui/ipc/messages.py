@@ -21,6 +21,8 @@ from labcal.gui.ipc.customer_messages import WhoIsNamed as WhoIsNamed
 from labcal.gui.ipc.kinds import Command as Command
 from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
+from labcal.gui.ipc.lab_messages import CheckZero as CheckZero
+from labcal.gui.ipc.lab_messages import EarlierAreGone as EarlierAreGone
 from labcal.gui.ipc.lab_messages import Identify as Identify
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
 from labcal.gui.ipc.record_messages import LookForLeft as LookForLeft

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from labcal.bench.coils.state import NOT_BY_REFERENCE, NOT_CONFIRMED
 from labcal.bench.named_links import named_links
 from labcal.errors import (
     InputError,
@@ -25,10 +26,12 @@ from labcal.errors import (
     words_of_system,
 )
 from labcal.record.stream import Item
-from labcal.runner.control import Left
+from labcal.runner.control import Later, Left
 
+OWN_MISTAKE = "labcal itself made a mistake here; the details hold what it says of it."
 BROKEN = ("crash", "ended", "off")  # kinds of fault after which nobody knows what the work left behind
-MENDED_FIRST = ("instrument", "record", "guardian")  # kinds over which a run is interrupted, not failed
+IN_DOUBT = (NOT_BY_REFERENCE, NOT_CONFIRMED)  # so begins what is said of a zero that nobody may energise over
+MENDED_FIRST = ("instrument", "record", "guardian", "zero")  # kinds over which a run is interrupted, not failed
 NO_INSTRUMENT = {  # faults of the bench that are none of an instrument's, by their names
     "disk full": "record",
     "store slow": "record",
@@ -62,6 +65,7 @@ class Fault:
     """What went wrong, for a card.
 
     `kind` is input, standard (check standard out of control), instrument, record (which is not kept), guardian, clock,
+    zero (in doubt: nothing is energised over it),
     coils (that may be on), platform (that may turn), limit, stopped, left (by whoever ran it), page, crash or ended
     (its process).
     """
@@ -77,11 +81,12 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
     """The fault that an exception of labcal's (or any other) stands for."""
     if isinstance(error, InstrumentError):
         kind = "input" if isinstance(error, LimitError) else NO_INSTRUMENT.get(error.fault, "instrument")
+        kind = "zero" if error.what.startswith(IN_DOUBT) else kind
         return Fault(kind, error.what, error.remedy, details, error.mends)
     if isinstance(error, OutOfControl):
         return Fault("standard", error.words, error.remedy, details or str(error))
     kinds: tuple[tuple[type[BaseException], str], ...] = (
-        (InputError, "input"), (LimitNotMet, "limit"), (Left, "left"),
+        (InputError, "input"), (LimitNotMet, "limit"), (Later, "stopped"), (Left, "left"),
         (Stopped, "stopped"), (KeyboardInterrupt, "stopped"),
     )  # fmt: skip
     kind = next((name for types, name in kinds if isinstance(error, types)), "crash")
@@ -91,6 +96,8 @@ def fault_of(error: BaseException, details: str = "") -> Fault:
         )
     if isinstance(error, OSError) and error.errno is not None:  # the disk, or a file: nothing in labcal broke
         return Fault("input", words_of_system(error), "", details)
+    if kind == "crash":  # what it says is for who mends labcal
+        return Fault(kind, OWN_MISTAKE, "", details or f"{type(error).__name__}: {error}")
     return Fault(kind, str(error) or type(error).__name__, "", details)
 
 

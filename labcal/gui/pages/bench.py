@@ -16,6 +16,7 @@ from labcal.gui.ipc.messages import FindOnLines, Identify
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
@@ -57,6 +58,7 @@ class BenchPage(QWidget):
         column.setSpacing(2 * GRID)
         self.fault = FaultCard(hands=app_state.hands)
         self.fault.report_requested.connect(app_state.report_requested)
+        self.fault.zero_wanted.connect(self.check_all)
         column.addWidget(self.fault)
         self.faces, self.editor = QStackedWidget(), BenchEditor(app_state, theme)
         self.editor.left.connect(lambda: self.faces.setCurrentIndex(0))
@@ -137,10 +139,10 @@ class BenchPage(QWidget):
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         self.to_do = label("", wrap=True)
         set_state(self.to_do, "bad")
+        card.body.addLayout(row)  # above what comes and goes: nothing moves a button away under a click
         card.body.addWidget(self.to_do)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
-        card.body.addLayout(row)
         return card
 
     def _cage_card(self) -> Card:
@@ -230,9 +232,10 @@ class BenchPage(QWidget):
     def _show_doubt(self, doubt: Doubt) -> None:
         """A zero that the reference did not see was measured again."""
         if doubt.lifted:
-            return self._app_state.lab.update(message=doubt.words)
+            return self._app_state.lab.update(message=translated(str(LIFTED)))
         remedy = self.tr("Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME")
-        return self.fault.show_fault(Fault("coils", doubt.words, remedy.format(Path(self._app_state.bench).name)))
+        name = Path(self._app_state.bench).name
+        return self.fault.show_fault(Fault("zero", doubt.words, remedy.format(name), doubt.before))
 
     def _not_identified(self, fault: Fault) -> None:
         self.fault.show_fault(fault)

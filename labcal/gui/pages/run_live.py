@@ -134,6 +134,7 @@ class Live(QWidget):
         self._app_state.bench_changed.connect(self._take_camera)
         self._take_camera()
         self.fault.report_requested.connect(self._app_state.report_requested)
+        self.fault.zero_wanted.connect(self._app_state.off.check_zero)
         self.middle = FaceStack()
         self._picture = self._live_card()
         self.verdict = VerdictCard(self._app_state, self._theme)
@@ -338,22 +339,21 @@ class Live(QWidget):
         began = self._run.lab is not None or (self._run.fault is not None and self._run.fault.kind in BROKEN)
         self.fault.say_platform(self._app_state.platform_words() if began else "")  # else nothing was moved
         gives_way, back = self._app_state.warning_shown, self._answer_again()
+        fault = self._run.fault if gives_way and not back else None
         self.fault.setVisible(not (gives_way or back))
-        said = in_short(self._run.fault) if gives_way and self._run.fault is not None else ""
-        self.verdict.say_reason(back or said, "" if back else "bad")
+        calm = fault is None or fault.kind == "stopped"  # as it was asked for: nothing failed
+        self.verdict.say_reason(in_short(fault) if fault is not None else back, "" if calm else "bad")
 
     def _answer_again(self) -> str:
         """Whom this run waited for in vain, and who was heard since; "" where that is none, or lost still."""
-        fault, facts, now = self._run.fault, self._app_state.facts, self._app_state.lab.state.now
-        named = self._heard_again.named(fault, () if facts is None else facts.instruments, now.lights)
-        return self.tr("{0}: answers again").format(", ".join(named)) if named and self._run.state == "ended" else ""
+        return self._heard_again.words(self._run, self._app_state.facts, self._app_state.lab.state.now)
 
     def _coils_left(self) -> str:
         """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         words = f"{words}. {now.in_common}" if now.in_common else words
-        say = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand.")
-        return words if now.coils_at_zero is not False else say.format(words, ", ".join(self._app_state.by_hand()))
+        say, off = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand."), self._app_state.by_hand()
+        return say.format(words, ", ".join(off)) if off and now.coils_at_zero is False else words
 
     def _ask(self) -> None:
         prompt = self._run.prompt

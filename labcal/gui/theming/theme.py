@@ -109,6 +109,7 @@ QLabel#simulated { background: transparent; color: $warning; border: 2px solid $
                    padding: 4px 6px; border-radius: 4px; letter-spacing: 1px; }
 QLabel#keep_off { font-weight: 700; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
+QLabel[state="alone"] { color: $warning; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }
 QLabel#caption[state="now"] { color: $accent; font-weight: 600; }

@@ -67,6 +67,7 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "aborted by the operator"),
     QT_TRANSLATE_NOOP("Data", "stopped by the operator"),
     QT_TRANSLATE_NOOP("Data", "whoever ran this is gone"),
+    QT_TRANSLATE_NOOP("Data", "stopped by the operator, to be gone on with later"),
     QT_TRANSLATE_NOOP("Data", "the window stood still for more than 4 seconds"),
     QT_TRANSLATE_NOOP("Data", "only the session that drives this bench sets currents."),
     QT_TRANSLATE_NOOP("Data", "{0}: no reply in {1} s, {2} came."),

@@ -3,6 +3,8 @@
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 LAB_FAULTS = (
+    QT_TRANSLATE_NOOP("Data", "{0}, then check the zero again."),
+    QT_TRANSLATE_NOOP("Data", "Then check the zero again."),
     QT_TRANSLATE_NOOP("Data", "the supplies state {0} A, and the reference does not see that: {1}."),
     QT_TRANSLATE_NOOP(
         "Data",
@@ -153,5 +155,6 @@ OF_THE_WORK = (  # of the window's own processes
     QT_TRANSLATE_NOOP("Data", "The work said what this window cannot read, and was ended by it."),
     QT_TRANSLATE_NOOP("Data", "The work ended by itself (exit {0})."),
     QT_TRANSLATE_NOOP("Data", "The work crashed (code {0})."),
+    QT_TRANSLATE_NOOP("Data", "labcal itself made a mistake here; the details hold what it says of it."),
     QT_TRANSLATE_NOOP("Data", "no run goes on here that could be come back to"),
 )

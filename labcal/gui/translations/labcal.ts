@@ -663,6 +663,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Checking the zero: coils to zero, then what the reference sees …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -675,7 +679,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1506,6 +1510,10 @@
     </message>
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped by the operator, to be gone on with later</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5337,6 +5345,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}, then check the zero again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then check the zero again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5757,6 +5773,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>labcal itself made a mistake here; the details hold what it says of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>no run goes on here that could be come back to</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5785,6 +5805,48 @@
     </message>
 </context>
 <context>
+    <name>EarlierCard</name>
+    <message>
+        <source>They are gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Supplies of an earlier session do not answer: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If one of them stands somewhere still, switch it off by hand, then press COILS OFF (F12).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where they were taken away, or a simulated lab was served anew, say so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ Supplies of an earlier session are not at zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is at their links any more: they are asked for no more, and the audit log has your name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>EarlierSupplies</name>
+    <message>
+        <source>a supply of an earlier session is not at zero: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: gone, says {1}; it is kept in the audit log</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>FaultCard</name>
     <message>
         <source>Whether hands may go in</source>
@@ -5804,6 +5866,14 @@
     </message>
     <message>
         <source>A .zip with the details, settings and versions, no keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Check the zero now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coils to zero, then what the reference sees; nothing is energised</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6392,10 +6462,6 @@
     </message>
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8993,7 +9059,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
+        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9014,6 +9080,18 @@ after this step …</source>
     </message>
     <message>
         <source>changing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not read in this step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not read yet</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9042,6 +9120,10 @@ after this step …</source>
     </message>
     <message>
         <source>✓ Hands may go in: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● Hands may go in: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9689,6 +9771,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the certificate, for people</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9786,6 +9872,14 @@ after this step …</source>
     </message>
     <message>
         <source>about {0} s more, said at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -663,6 +663,10 @@
         <translation>Spulen aus: werden zurückgelesen …</translation>
     </message>
     <message>
+        <source>Checking the zero: coils to zero, then what the reference sees …</source>
+        <translation>Die Null wird geprüft: Spulen auf Null, dann was die Referenz sieht …</translation>
+    </message>
+    <message>
         <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
         <translation>Noch niemand hat ihn stehen sehen: Vielleicht schweigt seine Leitung, oder ein anderes Programm behält sie.</translation>
     </message>
@@ -675,7 +679,7 @@
         <translation>SPULEN AUS erreicht ihn nicht: am Controller anhalten. Hände weg, bis Sie ihn stehen sehen.</translation>
     </message>
     <message>
-        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
         <translation>Der Tisch drehte weiter: SPULEN AUS wird noch einmal gegeben, und hält ihn an …</translation>
     </message>
     <message>
@@ -1507,6 +1511,10 @@
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation>Auf diesem Messplatz beginnt keine Prozedur: das Prüfnormal noch einmal messen, oder eine Person dafür einstehen lassen.</translation>
+    </message>
+    <message>
+        <source>stopped by the operator, to be gone on with later</source>
+        <translation>vom Bediener angehalten, um später fortzufahren</translation>
     </message>
     <message>
         <source>Is it switched on, are address and baud rate right, are A and B not swapped?</source>
@@ -5337,6 +5345,14 @@
         <translation>zu wenig Evidenz</translation>
     </message>
     <message>
+        <source>{0}, then check the zero again.</source>
+        <translation>{0}, dann die Null erneut prüfen.</translation>
+    </message>
+    <message>
+        <source>Then check the zero again.</source>
+        <translation>Dann die Null erneut prüfen.</translation>
+    </message>
+    <message>
         <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
         <translation>Die Netzgeräte melden {0} A, und die Referenz sieht das nicht: {1}.</translation>
     </message>
@@ -5757,6 +5773,10 @@
         <translation>Die Arbeit stürzte ab (Code {0}).</translation>
     </message>
     <message>
+        <source>labcal itself made a mistake here; the details hold what it says of it.</source>
+        <translation>labcal selbst hat hier einen Fehler gemacht; was es dazu sagt, steht in den Details.</translation>
+    </message>
+    <message>
         <source>no run goes on here that could be come back to</source>
         <translation>hier läuft keine Messung, zu der man zurückkehren könnte</translation>
     </message>
@@ -5785,6 +5805,48 @@
     </message>
 </context>
 <context>
+    <name>EarlierCard</name>
+    <message>
+        <source>They are gone</source>
+        <translation>Sie sind nicht mehr da</translation>
+    </message>
+    <message>
+        <source>▲ Supplies of an earlier session do not answer: {0}</source>
+        <translation>▲ Netzgeräte einer früheren Sitzung antworten nicht: {0}</translation>
+    </message>
+    <message>
+        <source>If one of them stands somewhere still, switch it off by hand, then press COILS OFF (F12).</source>
+        <translation>Steht eines davon noch irgendwo, von Hand ausschalten, dann SPULEN AUS (F12) drücken.</translation>
+    </message>
+    <message>
+        <source>Where they were taken away, or a simulated lab was served anew, say so.</source>
+        <translation>Wurden sie entfernt oder ein simuliertes Labor neu bereitgestellt, hier angeben.</translation>
+    </message>
+    <message>
+        <source>✕ Supplies of an earlier session are not at zero: {0}</source>
+        <translation>✕ Netzgeräte einer früheren Sitzung sind nicht auf Null: {0}</translation>
+    </message>
+    <message>
+        <source>Nothing is at their links any more: they are asked for no more, and the audit log has your name</source>
+        <translation>An ihren Leitungen ist nichts mehr: sie werden nicht mehr gefragt, und im Prüfprotokoll steht Ihr Name</translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation>Oben den Namen des Bedieners eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>EarlierSupplies</name>
+    <message>
+        <source>a supply of an earlier session is not at zero: {0}</source>
+        <translation>ein Netzgerät einer früheren Sitzung ist nicht auf Null: {0}</translation>
+    </message>
+    <message>
+        <source>{0}: gone, says {1}; it is kept in the audit log</source>
+        <translation>{0}: nicht mehr da, sagt {1}; es steht im Prüfprotokoll</translation>
+    </message>
+</context>
+<context>
     <name>FaultCard</name>
     <message>
         <source>Whether hands may go in</source>
@@ -5805,6 +5867,14 @@
     <message>
         <source>A .zip with the details, settings and versions, no keys</source>
         <translation>Eine .zip mit Einzelheiten, Einstellungen und Versionen, ohne Schlüssel</translation>
+    </message>
+    <message>
+        <source>Check the zero now</source>
+        <translation>Null jetzt prüfen</translation>
+    </message>
+    <message>
+        <source>Coils to zero, then what the reference sees; nothing is energised</source>
+        <translation>Spulen auf Null, dann was die Referenz sieht; nichts wird unter Strom gesetzt</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6417,10 +6487,6 @@
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
         <translation>Diese Messung ist zu Ende: „Ablegen“, dann misst „Beginnen“ von vorn.</translation>
-    </message>
-    <message>
-        <source>{0}: answers again</source>
-        <translation>{0}: antwortet wieder</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
@@ -8994,8 +9060,8 @@ diesem Schritt …</translation>
         <translation>gehört {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
-        <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
+        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
+        <translation>zuerst SPULEN AUS (F12) drücken: Wo seine Leitung antwortet, hält das auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>
         <source>heard before</source>
@@ -9016,6 +9082,18 @@ diesem Schritt …</translation>
     <message>
         <source>changing</source>
         <translation>ändert sich</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>not read in this step</source>
+        <translation>in diesem Schritt nicht gelesen</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>noch nicht gelesen</translation>
     </message>
     <message>
         <source>lost</source>
@@ -9044,6 +9122,10 @@ diesem Schritt …</translation>
     <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Hände dürfen hinein: {0}</translation>
+    </message>
+    <message>
+        <source>● Hands may go in: {0}</source>
+        <translation>● Hände dürfen hinein: {0}</translation>
     </message>
     <message>
         <source>▲ Hands off: a run of {0} was cut off; the coils are not known</source>
@@ -9690,6 +9772,10 @@ diesem Schritt …</translation>
         <translation>{0}: antwortet wieder</translation>
     </message>
     <message>
+        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
+        <translation>✓ Die Null wurde geprüft: Netzgeräte und Referenz stimmen überein. Die Sperre ist aufgehoben, die Spulen dürfen wieder unter Strom.</translation>
+    </message>
+    <message>
         <source>the certificate, for people</source>
         <translation>das Zertifikat, für Menschen</translation>
     </message>
@@ -9788,6 +9874,14 @@ diesem Schritt …</translation>
     <message>
         <source>about {0} s more, said at {1}</source>
         <translation>noch etwa {0} s, gesagt um {1}</translation>
+    </message>
+    <message>
+        <source>Next: {0}</source>
+        <translation>Weiter: {0}</translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
+        <translation>kann nicht angezeigt werden</translation>
     </message>
 </context>
 <context>

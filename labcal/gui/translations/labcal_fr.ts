@@ -663,6 +663,10 @@
         <translation>Bobines à zéro : relecture …</translation>
     </message>
     <message>
+        <source>Checking the zero: coils to zero, then what the reference sees …</source>
+        <translation>Le zéro est vérifié : bobines à zéro, puis ce que voit la référence …</translation>
+    </message>
+    <message>
         <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
         <translation>Personne ne l’a encore vue arrêtée : sa ligne est peut-être muette, ou gardée par un autre programme.</translation>
     </message>
@@ -675,7 +679,7 @@
         <translation>BOBINES À ZÉRO ne l’atteint pas : arrêtez-la à son contrôleur. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
-        <source>The platform turned on: COILS OFF is given anew, and stops it …</source>
+        <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
         <translation>La plate-forme tournait encore : BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
     </message>
     <message>
@@ -1507,6 +1511,10 @@
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
         <translation>Aucune procédure ne commence sur ce banc : mesurer de nouveau l’étalon de contrôle, ou laisser une personne en répondre.</translation>
+    </message>
+    <message>
+        <source>stopped by the operator, to be gone on with later</source>
+        <translation>arrêtée par l’opérateur, pour être poursuivie plus tard</translation>
     </message>
     <message>
         <source>Is it switched on, are address and baud rate right, are A and B not swapped?</source>
@@ -5337,6 +5345,14 @@
         <translation>trop peu d&apos;évidence</translation>
     </message>
     <message>
+        <source>{0}, then check the zero again.</source>
+        <translation>{0}, puis vérifier de nouveau le zéro.</translation>
+    </message>
+    <message>
+        <source>Then check the zero again.</source>
+        <translation>Puis vérifier de nouveau le zéro.</translation>
+    </message>
+    <message>
         <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
         <translation>Les alimentations annoncent {0} A, et la référence ne le voit pas : {1}.</translation>
     </message>
@@ -5757,6 +5773,10 @@
         <translation>Le travail a planté (code {0}).</translation>
     </message>
     <message>
+        <source>labcal itself made a mistake here; the details hold what it says of it.</source>
+        <translation>labcal lui-même a fait une erreur ici ; ce qu’il en dit se trouve dans les détails.</translation>
+    </message>
+    <message>
         <source>no run goes on here that could be come back to</source>
         <translation>aucune mesure n&apos;est en cours ici, à laquelle revenir</translation>
     </message>
@@ -5785,6 +5805,48 @@
     </message>
 </context>
 <context>
+    <name>EarlierCard</name>
+    <message>
+        <source>They are gone</source>
+        <translation>Elles ne sont plus là</translation>
+    </message>
+    <message>
+        <source>▲ Supplies of an earlier session do not answer: {0}</source>
+        <translation>▲ Des alimentations d’une session antérieure ne répondent pas : {0}</translation>
+    </message>
+    <message>
+        <source>If one of them stands somewhere still, switch it off by hand, then press COILS OFF (F12).</source>
+        <translation>Si l’une d’elles se trouve encore quelque part, l&apos;éteindre à la main, puis appuyer sur BOBINES À ZÉRO (F12).</translation>
+    </message>
+    <message>
+        <source>Where they were taken away, or a simulated lab was served anew, say so.</source>
+        <translation>Si elles ont été retirées, ou si un laboratoire simulé a été servi de nouveau, le dire ici.</translation>
+    </message>
+    <message>
+        <source>✕ Supplies of an earlier session are not at zero: {0}</source>
+        <translation>✕ Des alimentations d’une session antérieure ne sont pas à zéro : {0}</translation>
+    </message>
+    <message>
+        <source>Nothing is at their links any more: they are asked for no more, and the audit log has your name</source>
+        <translation>Plus rien n’est sur leurs liaisons : elles ne sont plus interrogées, et le journal d’audit porte votre nom</translation>
+    </message>
+    <message>
+        <source>Type the operator&apos;s name at the top.</source>
+        <translation>Tapez en haut le nom de l&apos;opérateur.</translation>
+    </message>
+</context>
+<context>
+    <name>EarlierSupplies</name>
+    <message>
+        <source>a supply of an earlier session is not at zero: {0}</source>
+        <translation>une alimentation d’une session antérieure n’est pas à zéro : {0}</translation>
+    </message>
+    <message>
+        <source>{0}: gone, says {1}; it is kept in the audit log</source>
+        <translation>{0} : plus là, selon {1} ; c&apos;est gardé dans le journal d’audit</translation>
+    </message>
+</context>
+<context>
     <name>FaultCard</name>
     <message>
         <source>Whether hands may go in</source>
@@ -5805,6 +5867,14 @@
     <message>
         <source>A .zip with the details, settings and versions, no keys</source>
         <translation>Un .zip avec détails, réglages et versions, sans clés</translation>
+    </message>
+    <message>
+        <source>Check the zero now</source>
+        <translation>Vérifier le zéro maintenant</translation>
+    </message>
+    <message>
+        <source>Coils to zero, then what the reference sees; nothing is energised</source>
+        <translation>Bobines à zéro, puis ce que voit la référence ; rien n’est mis sous courant</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6417,10 +6487,6 @@
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
         <translation>Cette mesure est finie : « Fermer », puis « Démarrer » mesure de nouveau.</translation>
-    </message>
-    <message>
-        <source>{0}: answers again</source>
-        <translation>{0} : répond de nouveau</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
@@ -8994,8 +9060,8 @@ cette étape …</translation>
         <translation>entendu {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller</source>
-        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : là où sa liaison répond, la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>heard before</source>
@@ -9016,6 +9082,18 @@ cette étape …</translation>
     <message>
         <source>changing</source>
         <translation>en changement</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>pas de réponse</translation>
+    </message>
+    <message>
+        <source>not read in this step</source>
+        <translation>non lu dans cette étape</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>pas encore lu</translation>
     </message>
     <message>
         <source>lost</source>
@@ -9044,6 +9122,10 @@ cette étape …</translation>
     <message>
         <source>✓ Hands may go in: {0}</source>
         <translation>✓ Les mains peuvent entrer : {0}</translation>
+    </message>
+    <message>
+        <source>● Hands may go in: {0}</source>
+        <translation>● Les mains peuvent entrer : {0}</translation>
     </message>
     <message>
         <source>▲ Hands off: a run of {0} was cut off; the coils are not known</source>
@@ -9690,6 +9772,10 @@ cette étape …</translation>
         <translation>{0} : répond de nouveau</translation>
     </message>
     <message>
+        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
+        <translation>✓ Le zéro a été vérifié : alimentations et référence s’accordent. Le verrou est levé, les bobines peuvent de nouveau être alimentées.</translation>
+    </message>
+    <message>
         <source>the certificate, for people</source>
         <translation>le certificat, pour les personnes</translation>
     </message>
@@ -9788,6 +9874,14 @@ cette étape …</translation>
     <message>
         <source>about {0} s more, said at {1}</source>
         <translation>encore {0} s environ, dit à {1}</translation>
+    </message>
+    <message>
+        <source>Next: {0}</source>
+        <translation>Suite : {0}</translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
+        <translation>ne peut être affiché</translation>
     </message>
 </context>
 <context>

@@ -4,9 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
 from labcal.bench.guardian.wire import TRIED_AGAIN
+from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.viewmodels.lab_now import Lights
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import LabNow, Lights
+from labcal.gui.viewmodels.run import RunViewModel
+
+AGAIN = QT_TRANSLATE_NOOP("Words", "{0}: answers again")
+LIFTED = QT_TRANSLATE_NOOP(
+    "Words", "✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again."
+)
 
 
 class AnswersAgain:
@@ -14,12 +24,23 @@ class AnswersAgain:
 
     def __init__(self) -> None:
         self._fault: Fault | None = None
-        self._was_red = False
+        self._was_red = self._was_lifted = False
+
+    def words(self, run: RunViewModel, facts: Bench | None, now: LabNow) -> str:
+        """What a run was ended by, once that is mended: who answers again, or that its zero was seen; else ""."""
+        fault = run.fault
+        named = self.named(fault, () if facts is None else facts.instruments, now.lights)
+        if run.state != "ended":
+            return ""
+        self._was_lifted |= fault is not None and fault.kind == "zero" and now.reference_agreed
+        if self._was_lifted:
+            return translated(str(LIFTED))
+        return translated(str(AGAIN)).format(", ".join(named)) if named else ""
 
     def named(self, fault: Fault | None, instruments: Iterable[str], lights: Lights) -> list[str]:
         """Whom `fault` blames, of these `instruments`, once all of them answer again; nobody before."""
         if fault is not self._fault:
-            self._fault, self._was_red = fault, False
+            self._fault, self._was_red, self._was_lifted = fault, False, False
         if fault is None or fault.kind != "instrument":
             return []
         blamed = [name for name in instruments if name in fault.text]

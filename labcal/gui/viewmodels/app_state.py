@@ -357,7 +357,7 @@ class AppState(QObject):
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
-        now = self.watch.seen_in(self.left.seen_in(known))
+        now = self.off.earlier.seen_in(self.watch.seen_in(self.left.seen_in(known)))
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
         self.lab.update(**self._at_hands())
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:

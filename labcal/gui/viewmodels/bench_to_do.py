@@ -29,7 +29,8 @@ def to_do(app_state: AppState) -> str:
     if guardian in now.failed:
         words = [translated(str(ALONE)), guardian_is(GUARDIAN), *words]
     if alarm := alarm_of(now.coil_words):
-        words = [f"{alarm}. {translated(str(BY_HAND)).format(', '.join(app_state.by_hand()))}.", *words]
+        off = app_state.by_hand()
+        words = [f"{alarm}. {translated(str(BY_HAND)).format(', '.join(off))}." if off else f"{alarm}.", *words]
     return " ".join([*words, *filter(None, (now.in_common,))]) if words else ""
 
 

@@ -11,14 +11,17 @@ from PySide6.QtCore import QObject, QTimer, SignalInstance
 from labcal.bench.coils import state
 from labcal.bench.named_links import named_links
 from labcal.bench.stage_off import NOT_YET
-from labcal.gui.ipc.answers import Bench, Identified, SwitchedOff
+from labcal.gui.ipc.answers import Bench, Doubt, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
-from labcal.gui.ipc.messages import Identify, SwitchOff
+from labcal.gui.ipc.messages import CheckZero, Identify, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.answers_again import LIFTED
+from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_heard import named_before
+from labcal.gui.viewmodels.lab_heard import looked_at, named_before
 from labcal.gui.viewmodels.lab_now import mark_of, off_words, platform_mark, platform_said, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.run import RunViewModel
@@ -59,7 +62,7 @@ class KnowsLab(Protocol):
     def by_hand(self) -> tuple[str, ...]:
         """The supplies that a person has to switch off."""
 
-    def take_lab(self, known: state.LabState) -> None:
+    def take_lab(self, known: state.LabState, *, lifted: bool = False) -> None:
         """From here on this is how the lab is."""
 
     def take_identified(self, said: Identified) -> None:
@@ -76,7 +79,7 @@ class CoilsOff(QObject):
 
     def __init__(self, window: KnowsLab) -> None:
         super().__init__()
-        self._window = window
+        self._window, self.earlier = window, EarlierSupplies(window)
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
         self._in_run: Fault | None = None  # `unconfirmed`, where a run that goes on lost a supply
@@ -127,6 +130,7 @@ class CoilsOff(QObject):
         words = "; ".join(f"{one.axis}: {in_words(named_links(one.words, names, brief=True))}" for one in said.coils)
         zero = all(axis.ok for axis in said.coils)
         window.kept.answered()
+        self.earlier.take(said.earlier)
         window.take_lab(switched_off(window.known or state.LabState(()), said, window.facts))
         if said.doubt or not zero:
             self.warn(Fault("coils", words))
@@ -161,7 +165,33 @@ class CoilsOff(QObject):
             return
         if not self._looked and not window.off_worker.busy:
             self._looked = True
-            window.off_worker.request(Identify(window.bench), window.take_identified, window.fault.emit)
+            window.off_worker.request(Identify(window.bench), self._looked_again, window.fault.emit)
+
+    def _looked_again(self, said: Identified) -> None:
+        self._window.take_identified(said)
+        if said.doubt is not None and said.doubt.lifted:
+            self._window.lab.update(message=translated(str(LIFTED)))
+
+    def zero_in_doubt(self) -> bool:
+        """Whether the reference did not see the zero that every supply says: that can be measured again."""
+        known = self._window.known
+        return known is not None and known.reference.verdict == "disagrees" and all(coil.zero for coil in known.coils)
+
+    def check_zero(self) -> None:
+        """Measure now whether it is one; a person asked."""
+        window = self._window
+        if not window.run.alive and not window.off_worker.busy:
+            window.watch.stop()
+            window.lab.update(message=self.tr("Checking the zero: coils to zero, then what the reference sees …"))
+            window.off_worker.request(CheckZero(window.bench), self._zero_checked, window.fault.emit)
+
+    def _zero_checked(self, said: Doubt) -> None:
+        window = self._window
+        window.take_lab(looked_at(window.known, said), lifted=said.lifted)
+        if said.lifted:
+            window.lab.update(message=translated(str(LIFTED)))
+        else:
+            self.warn(Fault("coils", said.words, details=said.before))
 
     def _look_at_coils(self) -> None:
         """A supply that answered before and is silent now, in a run or at rest, is the card at once; at a question the
@@ -224,7 +254,7 @@ class CoilsOff(QObject):
         if free and self._off_s is not None and window.lab.state.now.left_turning and read_s > self._stop_due_s:
             window.watch.stop()
             self.switch_off()
-            window.lab.update(message=self.tr("The platform turned on: COILS OFF is given anew, and stops it …"))
+            window.lab.update(message=self.tr("The platform kept turning: COILS OFF is given anew, and stops it …"))
 
     def _report_whole(self) -> None:
         """What became of the platform after COILS OFF, where the line below still says that it is not known."""
@@ -236,6 +266,7 @@ class CoilsOff(QObject):
     def forget(self) -> None:
         """Of another bench nothing was said."""
         self.unconfirmed = self.turning = self._off_s = self._report = None
+        self.earlier.take(())
 
     def _failed(self, fault: Fault) -> None:
         """Who was to switch them off did not: how they are is not known."""

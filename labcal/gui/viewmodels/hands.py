@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT
 from labcal.record.stream import Prompt
 
 READY, DONE = "ready", "done"  # the question whether all hands are off, and the answer that says so
 FAILED, RETRY = "failed-", "retry"  # about a step that failed, and "Hands off: try again"
 STOP = "stop"  # the answer that ends the run
+NEXT_IS = QT_TRANSLATE_NOOP("Words", "Next: {0}")
 STILL_LOST = "Still lost"  # so it begins where it is asked again, because somebody does not answer
+
+
+def coming(prompt: Prompt, words: str) -> str:
+    """The `words` of a question as what is to come: before its answer neither a field nor a turn is there yet."""
+    states = prompt.text.removesuffix("Hands off?").rstrip().endswith(".") and not prompt.text.startswith("Next ")
+    ahead = prompt.key == READY and states
+    return translated(str(NEXT_IS)).format(words) if ahead else words
 
 
 def says_hands_off(key: str, answer: object) -> bool:

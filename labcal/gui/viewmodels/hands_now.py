@@ -11,8 +11,10 @@ from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import sees_more
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, platform_mark
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, as_watched, platform_mark
 
+ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
+MAY = "good", ALONE  # the states of a yes
 PLACES = re.compile(r"(\.\d{3})\d+(?= A)")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
@@ -21,13 +23,17 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: the coils are not being read"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: the platform is not being read"),
     QT_TRANSLATE_NOOP("Words", "✓ Hands may go in: {0}"),
+    QT_TRANSLATE_NOOP("Words", "● Hands may go in: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: a run of {0} was cut off; the coils are not known"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: another process drives a run of {0}; the coils may be on"),
 )
 
 
 def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
-    """Whether a person may reach in now, yes or no first, and the state that goes with it; every reason in short."""
+    """Whether a person may reach in now, yes or no first, and the state that goes with it; every reason in short.
+
+    Green only where supplies and reference both say zero: what one of them says alone is amber.
+    """
     if why := reasons(coil_words, platform_words):
         return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"
     if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
@@ -39,7 +45,7 @@ def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
         return translated("▲ Hands off: {0}").format(in_words(CHANGED)), "warning"
     if coil_words.startswith(state.BY_WORD):
-        return translated("✓ Hands may go in: {0}").format(in_words(coil_words)), "good"
+        return translated("● Hands may go in: {0}").format(in_words(coil_words)), ALONE
     return translated("▲ Hands off: the coils are not being read"), "warning"  # they were, and were at zero
 
 
@@ -75,7 +81,7 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """
     if left := left_words(now):
         return left, "bad"
-    first = [now.closed_with] if now.closed_with else []
+    first = [*filter(None, (now.closed_with, now.earlier_on))]
     if now.field_more_nT is not None:  # whatever a supply says, or does not
         first.append(sees_more(now.field_more_nT))
     if first:
@@ -99,5 +105,7 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
     age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
     if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
         return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
-    said = in_words(state.BY_BOTH) if seen else in_words(state.BY_SUPPLIES)
-    return translated("✓ Hands may go in: {0}").format(f"{said}, {age_words(age_s)}"), "good"
+    watched = as_watched(now)
+    words, mark = hands_words(watched.coil_words, watched.platform_words)
+    said, apart, why = words.partition("; ")
+    return f"{said}, {age_words(age_s)}{apart}{why}", mark

@@ -142,8 +142,9 @@ class KnownLab:
 
     def _ramp_s(self, facts: Bench | None) -> float:
         """How long the way down takes from what flowed last, as the bench file has it."""
-        rates, coils = () if facts is None else facts.cage.ramp_A_per_s, () if self.state is None else self.state.coils
-        return max((abs(coil.current_A or 0.0) / r for coil, r in zip(coils, rates, strict=False)), default=0.0)
+        rates = {} if facts is None else dict(zip("xyz", facts.cage.ramp_A_per_s, strict=False))
+        coils = () if self.state is None else self.state.coils
+        return max((abs(c.current_A or 0.0) / rates[c.axis] for c in coils if c.axis in rates), default=0.0)
 
 
 def _unknown(coil: state.CoilReading) -> state.CoilReading:

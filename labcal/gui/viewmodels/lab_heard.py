@@ -8,11 +8,13 @@ from dataclasses import replace
 
 from labcal.bench.coils import state
 from labcal.bench.links.heard_before import NOT_HEARD, PLUG
-from labcal.gui.ipc.answers import Bench, Identified, InstrumentAnswer
+from labcal.gui.ipc.answers import Bench, Doubt, Identified, InstrumentAnswer
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import coil_read
+from labcal.gui.viewmodels.lab_now import UNHEARD, coil_read
+
+NO_REPLY = (*UNHEARD, "link was lost")  # in a fault: then it gives no answer, and has not failed otherwise
 
 
 def identified(before: state.LabState | None, said: Identified) -> tuple[state.LabState, bool]:
@@ -23,10 +25,23 @@ def identified(before: state.LabState | None, said: Identified) -> tuple[state.L
         for one in said.instruments
     )
     after = replace(before or state.LabState(state.unread()), instruments=heard, guardian=None)
-    if said.doubt is None or not said.doubt.lifted:
+    if said.doubt is None:
         return after, False
-    coils = tuple(map(coil_read, said.doubt.coils)) or after.coils
-    return replace(after, coils=coils, reference=state.Witness("agrees", "", read_s=now)), True
+    return looked_at(after, said.doubt), said.doubt.lifted
+
+
+def looked_at(before: state.LabState | None, doubt: Doubt) -> state.LabState:
+    """The lab after a zero in doubt was measured again: as it was seen now, in place of what was seen then."""
+    known = before or state.LabState(state.unread())
+    ends = {one.axis: coil_read(one) for one in doubt.coils}
+    coils = tuple(ends.get(coil.axis, coil) for coil in known.coils)
+    if doubt.lifted:
+        return replace(known, coils=coils, reference=state.Witness("agrees", "", read_s=time.monotonic()))
+    reference = state.Witness()
+    if doubt.words.startswith(state.NOT_BY_REFERENCE):
+        seen, _, advice = doubt.words.removeprefix(f"{state.NOT_BY_REFERENCE}: ").partition(". ")
+        reference = state.Witness("disagrees", seen, read_s=time.monotonic(), advice=advice or state.OPEN_THEM)
+    return replace(known, coils=coils, reference=reference)
 
 
 def read(before: state.LabState | None, said: tuple[InstrumentRead, ...]) -> state.LabState:
@@ -94,7 +109,8 @@ def blamed(known: state.LabState | None, fault: Fault, facts: Bench | None) -> s
         return None
     before = known or state.LabState(state.unread())
     heard = {one.name: one for one in before.instruments}
+    said = fault.text if any(words in fault.text for words in NO_REPLY) else translated("failed")
     for name in facts.instruments:
         if name in fault.text:
-            heard[name] = replace(heard.get(name) or state.Heard(name), fault=translated("failed"))
+            heard[name] = replace(heard.get(name) or state.Heard(name), fault=said)
     return replace(before, instruments=tuple(heard.values()))

@@ -10,6 +10,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
+from labcal.bench.essentials import AXES
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -29,7 +30,9 @@ LOST = QT_TRANSLATE_NOOP("Words", "no answer (link lost)")
 HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
 UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
-    "Words", "press COILS OFF (F12) first: it stops the platform as well. If it turns on, stop it at its controller"
+    "Words",
+    "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
+    "its controller",
 )
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next, and what a supply may need to answer it
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
@@ -42,6 +45,9 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} min ago"),
     QT_TRANSLATE_NOOP("Words", "{0} h ago"),
     QT_TRANSLATE_NOOP("Words", "changing"),
+    QT_TRANSLATE_NOOP("Words", "no answer"),
+    QT_TRANSLATE_NOOP("Words", "not read in this step"),
+    QT_TRANSLATE_NOOP("Words", "not read yet"),
     QT_TRANSLATE_NOOP("Words", "lost"),
     QT_TRANSLATE_NOOP("Words", "failed"),
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
@@ -60,10 +66,11 @@ class LabNow:
     Currents [A] and fields [nT] that are not known are None.
     """
 
-    coil_A: tuple[float | None, ...] = (None, None, None)
+    coil_A: tuple[float | None, ...] = (None, None, None)  # x, y, z
     coil_old_s: int | None = None
     coil_words: str = ""
     coils_at_zero: bool | None = None
+    alone: str = ""  # why a zero rests on the supplies' word alone; "" where the reference has seen it
     reference_agreed: bool = False  # when it was looked at last
     silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
@@ -76,6 +83,7 @@ class LabNow:
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
+    field_why: str = ""  # none was measured, in words
     field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
     lights: Lights = ()
@@ -85,6 +93,7 @@ class LabNow:
     unread_since: str = ""  # by the clock on the wall: nobody has been at the window for long, and nobody reads
     left_by: str = ""  # the DUT of the last run on this bench, where nobody has ended that
     driven_elsewhere: bool = False  # that run goes on in another process
+    earlier_on: str = ""  # a supply of an earlier session that answers and is not at zero, in words
     closed_with: str = ""  # what was not confirmed when a window closed, and was not read since
 
     @property
@@ -131,10 +140,11 @@ def lab_now(
     seen_nT, seen_s = _field_seen(lab)
     lost = {roles.get(one.name, "") for one in lab.instruments if one.fault}
     return LabNow(
-        coil_A=tuple(coil.current_A for coil in lab.coils),
+        coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
         coils_at_zero=lab.at_zero(now_s),
+        alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
         reference_agreed=lab.reference.verdict == "agrees",
         driven=driven,
         as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
@@ -144,12 +154,19 @@ def lab_now(
         field_set_nT=lab.field.set_nT if known and not at_zero else None,
         field_measured_nT=seen_nT,
         field_old_s=old_s(seen_s, now_s),
+        field_why="" if seen_nT is not None else _field_why(lab, roles, driven=driven),
         field_changing=driven and lab.field.changing and old_s(seen_s, now_s) is None,
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
         coils_lost=any(role.startswith("coil-") for role in lost),
         platform_lost="platform" in lost,
     )
+
+
+def _currents(lab: state.LabState, lost: set[str]) -> tuple[float | None, float | None, float | None]:
+    """Of the coils x, y, z, each by its name [A]; none of one whose supply does not answer, whatever it said before."""
+    flows = {coil.axis: coil.current_A for coil in lab.coils if not coil.fault and f"coil-{coil.axis}" not in lost}
+    return flows.get("x"), flows.get("y"), flows.get("z")
 
 
 def _field_seen(lab: state.LabState) -> tuple[state.Vector | None, float | None]:
@@ -178,6 +195,17 @@ def _platform_words(lab: state.LabState, now_s: float, *, driven: bool, lost: bo
     return f"{said}, read {state.ago(age_s)}" if age_s > state.FRESH_S else said
 
 
+def _field_why(lab: state.LabState, roles: Mapping[str, str], *, driven: bool) -> str:
+    """Why no measured field is shown, where there is a reference: "answers" beside a dash would be a riddle."""
+    name = next((name for name, role in roles.items() if role == "reference"), "")
+    heard = next((one for one in lab.instruments if one.name == name), None)
+    if not name or lab.field.changing or heard is None:
+        return ""
+    if heard.fault:
+        return translated("no answer")
+    return translated("not read in this step" if driven else "not read yet")
+
+
 def age_words(old_s: int | None) -> str:
     """In words: 12 s ago, 3 min ago, 2 h ago; nothing of what is fresh."""
     if old_s is None:
@@ -189,7 +217,7 @@ def age_words(old_s: int | None) -> str:
 
 def field_age(now: LabNow) -> str:
     """Of the measured field: what is seen while the coils are on their way is no settled value, however fresh."""
-    return translated("changing") if now.field_changing else age_words(now.field_old_s)
+    return translated("changing") if now.field_changing else now.field_why or age_words(now.field_old_s)
 
 
 def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:
@@ -232,7 +260,8 @@ def as_watched(now: LabNow) -> LabNow:
     if now.coil_words.startswith(state.WAS_ZERO):
         now = replace(now, coil_words=state.AT_ZERO, coils_at_zero=True)
     elif now.coil_words.startswith(state.WAS_ZERO_BY_WORD):
-        now = replace(now, coil_words=state.BY_WORD, coils_at_zero=True)
+        words = f"{state.BY_WORD}: {now.alone}" if now.alone else state.BY_WORD
+        now = replace(now, coil_words=words, coils_at_zero=True)
     stood = platform_mark(now.platform_words)[1] == "old"
     return replace(now, platform_words=now.platform_words.partition(",")[0]) if stood else now
 
@@ -251,7 +280,7 @@ def platform_said(words: str) -> str:
     """In the window's language; where it turns, or may, with what to do."""
     if platform_mark(words)[1] not in ("bad", "warning"):
         return in_words(words)
-    heard = words != state.MAY_TURN  # its line answers, or did just now: nobody has to go to it
+    heard = words != state.MAY_TURN  # its line answers, or did not long ago: nobody has to go to it first
     stop = str(BY_KEY) if heard else "stop it at its controller, and see it stand"
     return f"{in_words(words)}: {translated(stop)}"
 
@@ -330,7 +359,9 @@ def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None)
     witness = state.Witness()
     if said.doubt:
         witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
-    coils, heard = tuple(map(coil_read, said.coils)), heard_from(before.instruments, said.coils, facts)
+    ends = {one.axis: one for one in said.coils}
+    coils = tuple(coil_read(ends[axis]) for axis in AXES if axis in ends)  # by name: what has another is no coil here
+    heard = heard_from(before.instruments, said.coils, facts)
     platform = _stopped(before.platform, said.platform)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
 

@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
 
@@ -60,7 +61,7 @@ class LabWatch(QObject):
     @property
     def _confirmed(self) -> bool:
         """Whether hands may go in by what was read last: as long as they may not, it is read on."""
-        return self._lab.state.hands[1] == "good"
+        return self._lab.state.hands[1] in MAY
 
     def touched(self) -> None:
         """Somebody is at the window: it is read on, at once."""

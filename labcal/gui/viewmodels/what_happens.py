@@ -10,8 +10,8 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.hands import FAILED, READY, RETRY
-from labcal.gui.viewmodels.hands_now import hands_of
+from labcal.gui.viewmodels.hands import FAILED, READY, RETRY, coming
+from labcal.gui.viewmodels.hands_now import MAY, hands_of
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
@@ -74,7 +74,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     if mark == "bad":  # in a run or at rest: a reason is known
         return translated(str(OFF)), "bad"
     unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
-    out = unread or asked_out(run, now) or (run.alive and mark != "good")
+    out = unread or asked_out(run, now) or (run.alive and mark not in MAY)
     return (translated(str(OUT)), "warning") if out else ("", "")
 
 
@@ -90,7 +90,8 @@ def asked_out(run: RunViewModel, now: LabNow) -> str:
     if run.prompt.key != READY:
         return ""
     asked = in_words(run.prompt.text)
-    return translated(str(OUT_NOW)).format(asked.rpartition(". ")[0] or asked)  # what comes, without "Hands off?"
+    what = asked.rpartition(". ")[0] or asked  # without "Hands off?"
+    return translated(str(OUT_NOW)).format(coming(run.prompt, what))
 
 
 def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
@@ -127,7 +128,7 @@ def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
         return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
     if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), "warning"
-    if mark == "good" and (out := asked_out(run, now)):
+    if mark in MAY and (out := asked_out(run, now)):
         return out, "warning"
     return words, mark
 

@@ -44,12 +44,14 @@ class CloseAtRest(GrowingDialog):
         row.addWidget(self.go)
         column.addLayout(row)
 
-    def say(self, *, by_hand: tuple[str, ...], coils: str, platform: str, guarded: bool | None) -> None:
+    def say(
+        self, *, by_hand: tuple[str, ...], coils_in_doubt: bool, coils: str, platform: str, guarded: bool | None
+    ) -> None:
         """How the lab is now, in words; `by_hand`: the supplies to switch off. `guarded`: None where that is no matter.
 
-        With none to switch off it is the platform that keeps hands off.
+        The heading is of what is not confirmed: the coils first.
         """
-        self.heading.setText(translated(TITLES["coils" if by_hand else "platform"]))
+        self.heading.setText(translated(TITLES["coils" if by_hand or coils_in_doubt else "platform"]))
         self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(by_hand)))
         self.by_hand.setVisible(bool(by_hand))
         self.coils.setText(coils)

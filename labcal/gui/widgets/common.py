@@ -243,6 +243,11 @@ class ReadoutGrid(QWidget):
         self.values[row].setText(value)
         set_state(self.values[row], state)
 
+    def blank(self) -> None:
+        """No row says anything."""
+        for row in range(len(self.values)):
+            self.show_row(row, "–")
+
     def keep_row(self, row: int, *, shown: bool) -> None:
         """Whether this row is there at all."""
         for part in (self._names[row], self.values[row]):

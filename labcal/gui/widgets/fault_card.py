@@ -23,6 +23,7 @@ TITLES = {
     "record": "✕ The record is not kept",
     "guardian": "✕ The guardian failed",
     "clock": "✕ The clock was set back",
+    "zero": "✕ The zero of the coils is in doubt",
     "coils": "✕ HANDS OFF: the coils may be on",
     "platform": "✕ HANDS OFF: the platform may still turn",
     "limit": "✕ A limit is not met",
@@ -45,12 +46,14 @@ class FaultCard(WholeCard):
     """
 
     report_requested = Signal(object)  # Fault
+    zero_wanted = Signal()  # to be checked now
     closed = Signal()
     edge, width_px = QPalette.ColorRole.BrightText, 2
 
     def __init__(self, closable: bool = True, hands: Callable[[], tuple[str, str]] | None = None) -> None:
         super().__init__(" ")
         self._hands = hands
+        self.unit.hide()  # there is none: it would be an empty line above the words
         self.hands = label("", "title", wrap=True)
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.hands_timer = QTimer(self, interval=HANDS_MS)
@@ -74,12 +77,17 @@ class FaultCard(WholeCard):
             self.tr("Save a problem report …"), self.tr("A .zip with the details, settings and versions, no keys")
         )
         save.clicked.connect(lambda: self.report_requested.emit(self.fault))
+        self.check_zero = button(
+            self.tr("Check the zero now"), self.tr("Coils to zero, then what the reference sees; nothing is energised")
+        )
+        self.check_zero.clicked.connect(self.zero_wanted)
+        self.check_zero.hide()
         self._closable, self.close_card = closable, button(self.tr("Close"), self.tr("Put this card away"))
         if not closable:  # shown while it has no place yet, it would be a window of its own
             self.close_card.hide()
         self.close_card.clicked.connect(self._close)
         row = QHBoxLayout()
-        for widget in (self.fold, save):
+        for widget in (self.check_zero, self.fold, save):
             row.addWidget(widget)
         row.addStretch()
         row.addWidget(self.close_card)
@@ -110,6 +118,7 @@ class FaultCard(WholeCard):
         set_state(self.heading, "" if stopped else "bad")
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
         self.save.setVisible(not stopped)
+        self.check_zero.setVisible(fault.kind == "zero")
         self.text.setText(in_words(fault.text))
         self.remedy.setText(of_this_bench(in_words(fault.remedy)))
         self.remedy.setVisible(bool(fault.remedy))
@@ -155,6 +164,10 @@ class FaultCard(WholeCard):
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
+
+    def let_check_zero(self, may: bool) -> None:
+        """Whether a zero is in doubt that can be measured again: every supply says that it is one."""
+        self.check_zero.setVisible(may)
 
     def let_close(self, may: bool) -> None:
         """Whether a person may put it away: not while what it warns of is known to stand."""

@@ -20,9 +20,9 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
 from labcal.gui.viewmodels.first_thing import first_thing
-from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, reached_into
-from labcal.gui.viewmodels.hands_now import hands_of
-from labcal.gui.viewmodels.lab_now import LabNow, age_words, mark_of, platform_drawn
+from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, coming, reached_into
+from labcal.gui.viewmodels.hands_now import MAY, hands_of
+from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_drawn
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
@@ -163,7 +163,7 @@ class PromptCard(Card):
         self.call.start()
         self._reached_into = prompt.acts and prompt.key != "ready"
         self._show_hands()
-        self.text.order(unbroken(headline(prompt)))
+        self.text.order(unbroken(coming(prompt, headline(prompt))))
         self.text.setToolTip(plain(in_words(asked_text(prompt))))  # the whole, with what the system says
         self._say_what_to_do()
         self.drawing.show_drawing(prompt.drawing)
@@ -236,7 +236,8 @@ class PromptCard(Card):
 
     def say_lab(self, now: LabNow, out: str = "") -> None:
         """What coils and platform do while hands may be near, as the side panel says it; `out`: they go out now."""
-        coil_words, platform_words = now.coil_words, now.platform_words
+        seen = as_watched(now)  # one word at one moment: what lets hands in is not "not watched" below it
+        coil_words, platform_words = seen.coil_words, seen.platform_words
         self.drawing.show_platform(now.platform_deg, age_words(now.platform_old_s))
         for place, words, (shape, mark) in (
             (self.lab, coil_words, mark_of(coil_words)),
@@ -246,11 +247,11 @@ class PromptCard(Card):
             place.setVisible(bool(words))
             set_state(place, mark)
         words, mark = hands_of(now)
-        words, mark = (out, "warning") if out and mark == "good" else (words, mark)
+        words, mark = (out, "warning") if out and mark in MAY else (words, mark)
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._first = first_thing(now)
-        whole = in_words(coil_words) in words
+        whole = in_words(coil_words) in words or mark in MAY
         self._said_once = whole and bool(coil_words)  # the same words need not follow
         self._show_hands()
 
