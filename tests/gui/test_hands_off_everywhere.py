@@ -118,8 +118,8 @@ def test_at_a_mounting_and_after_a_failure_a_reading_is_as_old_by_the_same_rule(
     later(FRESH_S + 1.0)
     app_state.grow_old()
     at_mounting = live.prompt.hands.text()
-    assert (
-        at_mounting == "● Hands may go in: coils read back at zero by their supplies, 3 s ago; no reference was asked"
+    assert at_mounting == (
+        "● Hands may go in: coils read back at zero by their supplies, 3 s ago; no reference has confirmed it"
     )
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("instrument", "dut: silent.")))
     live.fault.say_hands()
