@@ -35,6 +35,7 @@ def coming_down(lab: Served) -> tuple[subprocess.Popen[str], int]:
     left_on(lab)
     off = subprocess.Popen([*LABCAL, "bench", "off", str(lab.file)], stdout=subprocess.PIPE, text=True)
     until(lambda: lab.currents()["x"] < 0.39)
+    until(lambda: len(children(off.pid)) == 1)  # the platform's is named so once it has begun
     (child,) = children(off.pid)
     assert lab.currents()["x"] > 0.1
     return off, child

@@ -92,6 +92,7 @@ def test_a_coil_that_nobody_watches_any_more_is_seen_to_be_on_and_off_knows_of_i
     lab: Served, session: Sessions
 ) -> None:
     kill_all(session("idle"))
+    until(lambda: bool(driven_before(lab.file)))
     (left,) = driven_before(lab.file)
     said = of(read_lab(lab.file))
     assert [said[name].zero for name in SUPPLIES] == [False] * 3
