@@ -218,7 +218,7 @@ def _misfit(
     used: NDArray[np.bool_],
     loops: Sequence[Array],
 ) -> float:
-    """The sum of squares on the rows used, and of what parameters with a prior are off it, by one and the same prior."""
+    """The sum of squares on the rows used, and of what parameters are off the prior that goes with these `loops`."""
     _, off = as_data(terms, beta, 0, here.y.shape[1], loops)
     return float(np.sum(here.y[used] ** 2) + np.sum(off**2))
 

@@ -75,7 +75,7 @@ def saturating(s: str, threshold: str, level: str, powers: Sequence[int]) -> CFo
 
 def relays(s: str, width: str, level: str, spread: str, points: Iterable[float], weights: Iterable[float]) -> CForm:
     """Relays of all widths, a bounded function of the play of each, about the relays' own curve."""
-    lines, each = list[str](), list(zip(points, weights, strict=True))
+    lines, each = list[str](), [(float(x), float(w)) for x, w in zip(points, weights, strict=True)]
     widths = ", ".join(f"(labcal_real)((double){width} * exp((double){spread} * {x!r}))" for x, _ in each)
     lines.append(f"const labcal_real width[{len(each)}] = {{{widths}}};")
     lines.append(f"static const double share[{len(each)}] = {{{', '.join(repr(w) for _, w in each)}}};")
@@ -87,8 +87,8 @@ def relays(s: str, width: str, level: str, spread: str, points: Iterable[float],
         lines.append(f"along_axis(e[{3 + i}], {i}, bend({own} / {level}));")
     formula = (
         "E = c (R - tanh u) + t1 (tanh u - u) along each of the sensor's axes; s [nT], u = s/middles_nT, R the mean of "
-        "tanh(p/middles_nT) over widths whose logarithm is normal about ln r_nT with deviation spread, p = s less its stop "
-        f"within +-width; c, t1 [nT]; {BEGINS['0']}"
+        "tanh(p/middles_nT) over widths whose logarithm is normal about ln r_nT with deviation spread, p = s less its "
+        f"stop within +-width; c, t1 [nT]; {BEGINS['0']}"
     )
     helpers = ("along_axis", "stop", "bend", "saturating", "relays")
     return CForm(formula, "\n".join(lines), state=_stops(3 * len(each)), helpers=helpers)

@@ -188,8 +188,8 @@ def widths(term: Term) -> Array:
 def _of_relays(term: Term, scene: Scene, s: Array) -> Array:
     """Preisach's relays of all widths, less their curve; the curve's bend; and what was left of each beginning.
 
-    A relay of one width switches where the play of that width passes its middle: over middles that are spread, a bounded
-    function of the play. It is straight enough in where a segment begins to be fitted by its secant.
+    A relay switches where the play of its width passes its middle: over middles that are spread, a bounded function of
+    the play. It is straight enough in where a segment begins to be fitted by its secant.
     """
     level, each = term.at(MIDDLES.name), widths(term)
     drive, limits = np.tile(s, len(each)), np.repeat(each, s.shape[1])
@@ -203,7 +203,7 @@ def _of_relays(term: Term, scene: Scene, s: Array) -> Array:
 
     left = np.zeros_like(s)
     if term.of_beginnings and scene.of_the_fit:
-        left = (relays(1.0) - relays(-1.0)) / (2 * ANYWHERE)
+        left = (relays(-1.0) - relays(1.0)) / (2 * ANYWHERE)  # the higher its play, the more is magnetised
     drives = [relays(_astray(term, scene)) - np.tanh(s / level), bend(s / level), *_begun(term, scene, left)]
     return _along_axes(drives, scene)
 
@@ -273,7 +273,7 @@ def _thresholds(term: Term) -> list[float]:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Dahl's loop, one stop, several, a saturating loop about a curve, relays, and a core, along either axes; and a bar.
+    """Dahl's loop, one stop, several, a saturating loop about a curve, and cores, along either axes; and a bar.
 
     Stops are tried from rest, and demagnetised before the first segment or before each. From rest no loop is seen that
     is wider than the field goes to and fro within a segment: it would take off the reference's own noise.
