@@ -39,7 +39,7 @@ CURRENT, WARM = (("i",), {"i": 0.2}), (("temp",), {"temp": 20.0})
 NONE = ((), {})
 NINE = tuple(product("xyz", "xyz"))
 PINNED = {"a_nT": 12000.0, "pinning_nT": 5000.0}
-RELAYS = {"r_nT": 4000.0, "middles_nT": 9000.0, "spread": 0.5}
+RELAYS = {"r_nT": 4000.0, "middles_nT": 9000.0, "sd_ln": 0.5}
 BAR = {"lon_deg": 30.0, "lat_deg": 20.0, "kept": 1.0}
 KNOWN = ("secant_s", "kept", "begins_on", "begins", "less_itself", "t_ref_s")  # exactly
 

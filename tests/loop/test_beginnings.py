@@ -187,7 +187,7 @@ def of_relays(made: MadeUp, draw: np.random.Generator, size_nT: Array) -> Array:
 def test_relays_along_one_axis_alone_are_found_by_a_joint_fit_that_starts_without() -> None:
     made, draw = made_up_run(noise_nT=NOISE_nT), np.random.default_rng(8)
     run = made.with_effect(of_relays(made, draw, np.array([C_nT, 0.0, 0.0])))
-    term = next(t for t in candidates(run) if any(s.name == "spread" for s in t.shape) and t.parameters[0][0][0] == "b")
+    term = next(t for t in candidates(run) if any(s.name == "sd_ln" for s in t.shape) and t.parameters[0][0][0] == "b")
     problem, *_ = prepare(run)
     found = joint_fit(problem, [term.with_values(r_nT=LOOP_r, middles_nT=1e4)])
     assert in_sample_rms(found) < 1.3 * np.sqrt(3) * NOISE_nT < 0.3 * in_sample_rms(joint_fit(problem, []))

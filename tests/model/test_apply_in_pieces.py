@@ -44,7 +44,7 @@ CORE = (
 )
 RELAYS = (
     *CORE[:3],
-    {**{k: v for k, v in CORE[3].items() if k[-2:] != "nT"}, "r_nT": 3e3, "middles_nT": 9e3, "spread": 0.5},
+    {**{k: v for k, v in CORE[3].items() if k[-2:] != "nT"}, "r_nT": 3e3, "middles_nT": 9e3, "sd_ln": 0.5},
 )
 ALONE = ("hysteresis", (), {}, {"c_x": 0.2, "c_y": 0.3, "c_z": 0.1, "r_nT": 4000.0, "less_itself": 1.0})
 ANEW = ("hysteresis", (), {}, {**STOPS[3], "kept": 0.0})

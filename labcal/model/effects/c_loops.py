@@ -87,7 +87,7 @@ def relays(s: str, width: str, level: str, spread: str, points: Iterable[float],
         lines.append(f"along_axis(e[{3 + i}], {i}, bend({own} / {level}));")
     formula = (
         "E = c (R - tanh u) + t1 (tanh u - u) along each of the sensor's axes; s [nT], u = s/middles_nT, R the mean of "
-        "tanh(p/middles_nT) over widths whose logarithm is normal about ln r_nT with deviation spread, p = s less its "
+        "tanh(p/middles_nT) over widths whose logarithm is normal about ln r_nT with deviation sd_ln, p = s less its "
         f"stop within +-width; c, t1 [nT]; {BEGINS['0']}"
     )
     helpers = ("along_axis", "stop", "bend", "saturating", "relays")

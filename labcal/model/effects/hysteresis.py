@@ -61,7 +61,7 @@ TO_AND_FRO = 2.0**1.5  # standard deviations that a sine is wide
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 STOP, WIDTH = (Shape(name, 0.0, "nT", kind=THRESHOLD) for name in ("r_nT", "w_nT"))
 LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "deg", LAT_deg, ANGLE)
-SPREAD = Shape("spread", 0.6, "1", (0.6,))  # the standard deviation of ln(coercive field)
+SPREAD = Shape("sd_ln", 0.6, "1", (0.6,))  # the standard deviation of ln(coercive field)
 MIDDLES = Shape("middles_nT", 0.0, "nT", (6000.0, 20000.0))  # how far apart the middles of the relays' widths lie
 KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
 CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("pinning_nT", 0.0, "nT", kind=THRESHOLD)
@@ -175,7 +175,7 @@ def _of_a_core(term: Term, scene: Scene, s: Array) -> Array:
 
 def _begun(term: Term, scene: Scene, left: Array) -> list[Array]:
     """What is left (n, 3) of each segment's beginning, in its own rows; the rows of the fit alone know theirs."""
-    names = (name for name, _ in term.parameters[term.lasting :: len(AXES)])
+    names = (name for name, _ in term.parameters[2 * len(AXES) :: len(AXES)])
     numbers = (int(name.removeprefix(BODY).split("_")[0].removeprefix("m")) for name in names)
     return [left * (scene.of_the_fit & (scene.segment == number))[:, None] for number in numbers]
 
