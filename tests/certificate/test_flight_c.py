@@ -39,6 +39,7 @@ CURRENT, WARM = (("i",), {"i": 0.2}), (("temp",), {"temp": 20.0})
 NONE = ((), {})
 NINE = tuple(product("xyz", "xyz"))
 PINNED = {"a_nT": 12000.0, "pinning_nT": 5000.0}
+RELAYS = {"r_nT": 4000.0, "middles_nT": 9000.0, "sd_ln": 0.5}
 BAR = {"lon_deg": 30.0, "lat_deg": 20.0, "kept": 1.0}
 KNOWN = ("secant_s", "kept", "begins_on", "begins", "less_itself", "t_ref_s")  # exactly
 
@@ -85,6 +86,7 @@ FORMS = {
             each(c=9.0, t1=5.0, a2=1e-9, a3=1e-13, a4=1e-18, a5=1e-22) | {"r_nT": 1000.0, "s_nT": 20000.0},
         ),
     ),
+    "relays": (("hysteresis", *NONE, each(c=60.0, t1=40.0) | RELAYS),),
     "core": (("hysteresis", *NONE, each(c=60.0, t1=40.0) | PINNED | {"begins_on": 0.4, "begins": 0.3}),),
     "core-body": (("hysteresis", *NONE, each(body_c=60.0, body_t1=40.0) | PINNED),),
     "bar": (("hysteresis", *NONE, each(body_c2000=0.01, body_c6000=0.02) | BAR),),

@@ -13,7 +13,7 @@ from labcal.loop.close import prepare
 from labcal.loop.refit import refit
 from labcal.loop.selection.admission import earns_its_extension
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice
-from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.joint_fit import in_sample_rms, joint_fit
 from labcal.model import EffectRecord, Parameter
 from labcal.model.apply import apply
 from labcal.model.effects.hysteresis import FAMILY, candidates, stop
@@ -171,3 +171,24 @@ def test_how_far_astray_another_recording_begins_is_what_the_segments_scatter() 
     found = with_beginnings(joint_fit(pool.problem, [chosen.term]))
     scatter = np.sqrt(3) * C_nT * 0.3 / np.sqrt(3)  # of three axes, each anywhere between two ends
     assert abs(astray_nT(found, 0) / scatter - 1) < 0.4
+
+
+def of_relays(made: MadeUp, draw: np.random.Generator, size_nT: Array) -> Array:
+    """What a core of relays adds (n, 3), half of them up where each segment begins."""
+    half, middle = LOOP_r * np.exp(0.6 * draw.normal(size=1500)), draw.logistic(0.0, 5e3, 1500)
+    rows = together(made.field_nT, made.run.segment_index)
+    state, out = draw.choice([-1.0, 1.0], (*rows.shape[1:], 1500)), np.empty_like(rows)
+    for k, s in enumerate(rows[:, :, :, None]):
+        state = np.where(s > middle + half, 1.0, np.where(s < middle - half, -1.0, state))
+        out[k] = size_nT * state.mean(axis=-1)
+    return out.swapaxes(0, 1).reshape(made.field_nT.shape)
+
+
+def test_relays_along_one_axis_alone_are_found_by_a_joint_fit_that_starts_without() -> None:
+    made, draw = made_up_run(noise_nT=NOISE_nT), np.random.default_rng(8)
+    run = made.with_effect(of_relays(made, draw, np.array([C_nT, 0.0, 0.0])))
+    term = next(t for t in candidates(run) if any(s.name == "sd_ln" for s in t.shape) and t.parameters[0][0][0] == "b")
+    problem, *_ = prepare(run)
+    found = joint_fit(problem, [term.with_values(r_nT=LOOP_r, middles_nT=1e4)])
+    assert in_sample_rms(found) < 1.3 * np.sqrt(3) * NOISE_nT < 0.3 * in_sample_rms(joint_fit(problem, []))
+    assert abs(found.beta[0][0] - C_nT) < 0.1 * C_nT

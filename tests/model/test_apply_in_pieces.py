@@ -42,6 +42,10 @@ CORE = (
     {},
     {f"{name}_{a}": 30.0 for name in ("c", "t1") for a in "xyz"} | {"a_nT": 1e4, "pinning_nT": 4e3},
 )
+RELAYS = (
+    *CORE[:3],
+    {**{k: v for k, v in CORE[3].items() if k[-2:] != "nT"}, "r_nT": 3e3, "middles_nT": 9e3, "sd_ln": 0.5},
+)
 ALONE = ("hysteresis", (), {}, {"c_x": 0.2, "c_y": 0.3, "c_z": 0.1, "r_nT": 4000.0, "less_itself": 1.0})
 ANEW = ("hysteresis", (), {}, {**STOPS[3], "kept": 0.0})
 PLAY = (
@@ -123,13 +127,14 @@ def written(field_nT: np.ndarray, u_nT: np.ndarray) -> list[str]:
             pytest.param((ALONE,), marks=pytest.mark.slow),
             (PLAY,),
             (CORE,),
+            (RELAYS,),
             (BAR,),
         ),
     ],
     ids=[
         *("map", "channels", "time-and-mode", "lag", "loop", "late"),
         *("delayed", "ahead", "several", "curved", "leading", "slow-gain"),
-        *("dahl", "stops", "kept", "anew", "alone", "play", "core", "bar"),
+        *("dahl", "stops", "kept", "anew", "alone", "play", "core", "relays", "bar"),
     ],
 )
 @settings(max_examples=6)

@@ -140,6 +140,17 @@ static labcal_real saturating(labcal_real drive, labcal_real stopped, labcal_rea
     return (labcal_real)(tanh(play / (double)level) - tanh((double)drive / (double)level));
 }
 """,
+    "relays": """\
+/* The mean of a bounded function of the plays of several widths, less the same of the field. */
+static labcal_real relays(labcal_stop *states, const labcal_now *now, labcal_real drive, labcal_real level,
+                          const labcal_real *width, const double *share)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 7; k++)
+        sum += share[k] * (double)saturating(drive, stop(&states[k], now, drive, width[k], 0), level);
+    return (labcal_real)sum;
+}
+""",
     "langevin": """\
 /* L(u) = coth u - 1/u, and what it lacks of u / 3. */
 static double langevin(double u)

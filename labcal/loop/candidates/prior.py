@@ -18,12 +18,17 @@ from labcal.model.effects.regressors import AXES
 Array = NDArray[np.float64]
 
 
-def as_data(terms: Sequence[Term], beta: Sequence[Array] | None, start: int, q: int) -> tuple[Array, Array]:
+def as_data(
+    terms: Sequence[Term], beta: Sequence[Array] | None, start: int, q: int, loops: Sequence[Array] | None = None
+) -> tuple[Array, Array]:
     """One row (known, q, p) for each known parameter, and how far off it is (known, q) in its own deviations.
 
-    Of p parameters the first `start` are the base's. With `beta` None they are taken to be zero.
+    Of p parameters the first `start` are the base's. With `beta` None they are taken to be zero. `loops` say how large
+    the loops are, where `beta` itself does not.
     """
-    weight = _weights(terms, beta, start, start + sum(len(term.parameters) for term in terms))
+    weight = _weights(
+        terms, beta if loops is None else loops, start, start + sum(len(term.parameters) for term in terms)
+    )
     known = np.flatnonzero(weight)
     rows = np.zeros((len(known), q, len(weight)))
     rows[np.arange(len(known)), 0, known] = weight[known]

@@ -99,10 +99,11 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
     beta = tuple(np.zeros(len(term.parameters)) for term in terms)
     for _ in range(STEPS):
         A = np.concatenate([here.T, *(-here.all_columns(term) for term in terms)], axis=2)[used]
-        known, off = as_data(terms, beta, here.T.shape[2], A.shape[1])
-        data = np.concatenate([A, known]), np.concatenate([here.y[used], off])
-        step = -ols_with_nuisance(*data, here.T.shape[2], new_share_needed(here, terms, beta, used))
-        there = _line_search(here, terms, beta, step, used)
+        step, loops = _step(here, terms, beta, used, A, beta), beta
+        if any(term.of_beginnings and not own.any() for term, own in zip(terms, beta, strict=True)):
+            loops = _added(here, beta, step)  # how large a loop is, is known from here on, and with it how it may begin
+            step = _step(here, terms, beta, used, A, loops)
+        there = _line_search(here, terms, beta, step, used, loops)
         if there is None:
             break
         here, terms, beta = there
@@ -110,6 +111,20 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
             break
     here, terms, beta = _summed_to_zero(here, terms, beta, used)
     return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
+
+
+def _step(
+    here: LinearProblem,
+    terms: tuple[Term, ...],
+    beta: tuple[Array, ...],
+    used: NDArray[np.bool_],
+    A: Array,
+    loops: tuple[Array, ...],
+) -> Array:
+    """The step (p,) of Gauss and Newton, what is known of the parameters included, where the `loops` are so large."""
+    known, off = as_data(terms, beta, here.T.shape[2], A.shape[1], loops)
+    data = np.concatenate([A, known]), np.concatenate([here.y[used], off])
+    return np.asarray(-ols_with_nuisance(*data, here.T.shape[2], new_share_needed(here, terms, beta, used)))
 
 
 def _summed_to_zero(
@@ -177,23 +192,34 @@ def information(fitted: JointFit) -> float:
 
 
 def _line_search(
-    here: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...], step: Array, used: NDArray[np.bool_]
+    here: LinearProblem,
+    terms: tuple[Term, ...],
+    beta: tuple[Array, ...],
+    step: Array,
+    used: NDArray[np.bool_],
+    loops: tuple[Array, ...],
 ) -> Point | None:
     """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
-    limit = _misfit(here, terms, beta, used) * (1 + 1e-9)
+    limit = _misfit(here, terms, beta, used, loops) * (1 + 1e-9)
     for _ in range(HALVINGS):
         bare, stepped = _stepped(here, terms, beta, step)
         on_secants = tuple(term.over_own_secants(b) for term, b in zip(terms, stepped, strict=True))
         there = _relinearised(bare, on_secants, stepped)
-        if _misfit(there, on_secants, stepped, used) <= limit:
+        if _misfit(there, on_secants, stepped, used, loops) <= limit:
             return there, on_secants, stepped
         step = step / 2
     return None
 
 
-def _misfit(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> float:
-    """The sum of squares on the rows used, and of what parameters with a prior are off it."""
-    _, off = as_data(terms, beta, 0, here.y.shape[1])
+def _misfit(
+    here: LinearProblem,
+    terms: Sequence[Term],
+    beta: Sequence[Array],
+    used: NDArray[np.bool_],
+    loops: Sequence[Array],
+) -> float:
+    """The sum of squares on the rows used, and of what parameters are off the prior that goes with these `loops`."""
+    _, off = as_data(terms, beta, 0, here.y.shape[1], loops)
     return float(np.sum(here.y[used] ** 2) + np.sum(off**2))
 
 
@@ -219,10 +245,15 @@ def _stepped(
     theta = here.theta + here.parameterisation.basis @ step[:q]
     phase = here.phase.copy()
     phase[here.phase_groups] += step[q : q + len(here.phase_groups)]
-    ends = np.cumsum([q + len(here.phase_groups), *(len(b) for b in beta)])
-    stepped = tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
+    stepped = _added(here, beta, step)
     bare = linearise(here.run, here.observations, here.noise, here.base, here.parameterisation, theta, phase)
     return bare, stepped
+
+
+def _added(here: LinearProblem, beta: tuple[Array, ...], step: Array) -> tuple[Array, ...]:
+    """The parameters of the effects a step on."""
+    ends = np.cumsum([here.T.shape[2], *(len(b) for b in beta)])
+    return tuple(b + step[start : start + len(b)] for b, start in zip(beta, ends, strict=False))
 
 
 def _relinearised(bare: LinearProblem, terms: tuple[Term, ...], beta: tuple[Array, ...]) -> LinearProblem:

@@ -79,13 +79,17 @@ def select(
     Each round has an outcome: `supported` ends the selection; `displaced` and `unsupported` causes are refused in
     the next round; of a cause that is there already `one too many` is cut off; a set that came first and is `broken` by
     held-out blocks may come again, but beside another cause; so may a first cause that another could take the place of,
-    `not first`: beside that one it may have another form. When the rounds are exhausted, what the last one left stands.
+    `not first`: beside that one it may have another form. When the rounds are exhausted, what the last one left stands;
+    the members that were left of a broken set do where they are supported and no later round leaves less.
     """
     refused, unsupported, later = set(barred), dict[Cause, HeldOutErrors](), set[Cause]()
     ending: SelectionEnding = "rounds exhausted"
+    members: _Round | None = None
     for _ in range(MAX_ROUNDS):
         last = _select_once(pool, blocks, most, refused, later)
         outcome, place = _judge(pool, last, level, later)
+        if members is None and outcome == "broken" and _is_supported(pool, last, level):
+            members = last
         if outcome == "supported":
             ending = "supported"
             break
@@ -102,6 +106,8 @@ def select(
             refused.add(last.accepted[place].cause)
             unsupported[last.accepted[place].cause] = last.contributions[place]
         last = last.first(place)
+    if members is not None and _left_nT(pool, members) < _left_nT(pool, last):
+        last, ending = members, "supported"
     effects, rankings, contributions = tuple(last.accepted), tuple(last.rankings), tuple(last.contributions)
     return Selection(effects, rankings, contributions, last.blocks, unsupported, ending, barred)
 
@@ -131,6 +137,18 @@ def _proven_members(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candi
         whole = len(good) == len(chosen.members)
         out += [chosen] if whole else [together(pool, good, len(chosen.members))] if good else []
     return out
+
+
+def _is_supported(pool: CandidateSet, last: _Round, level: NoiseFloor) -> bool:
+    """Whether held-out blocks support what a round accepted, and none of it could be another's misfit."""
+    accepted, contributions = last.accepted, last.contributions
+    unsupported = first_unsupported(pool, accepted, contributions, level)
+    return unsupported is None and is_sure_first(pool, last.blocks, accepted, contributions, level)
+
+
+def _left_nT(pool: CandidateSet, last: _Round) -> float:
+    """What the effects of a round leave of held-out blocks."""
+    return cross_validate(pool, last.blocks, fixed_choice(last.accepted)).after
 
 
 def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor, later: Collection[Cause]) -> tuple[RoundOutcome, int]:

@@ -7,7 +7,7 @@ loop does at its beginning: 0 at rest in the field that it is in, in each segmen
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from labcal.model.effects.c_form import CForm
 
@@ -71,6 +71,27 @@ def saturating(s: str, threshold: str, level: str, powers: Sequence[int]) -> CFo
     )
     helpers = ("along_axis", "stop", "bend", "saturating")
     return CForm(formula, "\n".join(lines), state=_stops(3), helpers=helpers)
+
+
+def relays(s: str, width: str, level: str, spread: str, points: Iterable[float], weights: Iterable[float]) -> CForm:
+    """Relays of all widths, a bounded function of the play of each, about the relays' own curve."""
+    lines, each = list[str](), [(float(x), float(w)) for x, w in zip(points, weights, strict=True)]
+    widths = ", ".join(f"(labcal_real)((double){width} * exp((double){spread} * {x!r}))" for x, _ in each)
+    lines.append(f"const labcal_real width[{len(each)}] = {{{widths}}};")
+    lines.append(f"static const double share[{len(each)}] = {{{', '.join(repr(w) for _, w in each)}}};")
+    for i in range(3):
+        own = f"{s}[{i}]"
+        lines.append(
+            f"along_axis(e[{i}], {i}, relays(state->stop + {len(each) * i}, now, {own}, {level}, width, share));"
+        )
+        lines.append(f"along_axis(e[{3 + i}], {i}, bend({own} / {level}));")
+    formula = (
+        "E = c (R - tanh u) + t1 (tanh u - u) along each of the sensor's axes; s [nT], u = s/middles_nT, R the mean of "
+        "tanh(p/middles_nT) over widths whose logarithm is normal about ln r_nT with deviation sd_ln, p = s less its "
+        f"stop within +-width; c, t1 [nT]; {BEGINS['0']}"
+    )
+    helpers = ("along_axis", "stop", "bend", "saturating", "relays")
+    return CForm(formula, "\n".join(lines), state=_stops(3 * len(each)), helpers=helpers)
 
 
 def core(s: str, bend: str, pin: str, part: str) -> CForm:

@@ -4,8 +4,10 @@ A stop of threshold r follows the field until it is r away from where it turned,
 (Prandtl-Ishlinskii; Visintin, Differential Models of Hysteresis, 1994, ch. III). Dahl's loop (ASME J. Dyn. Syst. 98,
 1976) approaches its branch exponentially over a field w. A magnetic part near saturation is a bounded function of the
 play, the field less the stop: Preisach's relays of one width (Visintin, ch. IV), about a curve of its own: the relays'
-saturation, and powers for what is uneven in it. A core whose walls are pinned follows its curve behind it
-(`labcal.model.effects.magnetised`); how it was magnetised where each segment of the run began is fitted with it.
+saturation, and powers for what is uneven in it. Relays of a real core are of all widths, their coercive fields spread
+log-normally (Visintin, ch. IV; Bertotti, Hysteresis in Magnetism, 1998, ch. 13). A core whose walls are pinned follows
+its curve behind it (`labcal.model.effects.magnetised`). How relays and core were magnetised where each segment of the
+run began is fitted with them.
 Each segment starts at rest in the field it is in; with `kept`, demagnetised before the field came on: each segment
 (0), or the first alone, its memory kept from one to the next (1). The loop follows the field along the sensor's own
 axes, or along those of the body (`body_…`: a part beside the sensor, which knows nothing of the sensor's misalignment).
@@ -54,16 +56,22 @@ MOST_BEGINNINGS = 40  # segments: how more began is not fitted
 BAR_nT = (2000.0, 6000.0, 18000.0)
 LON_deg = (30.0, 90.0, 150.0, 210.0, 270.0, 330.0)
 LAT_deg = (20.0, 65.0)  # of half the sphere: nothing is farther than 35 degrees from one of these or its opposite
+RELAYS_nT = (2000.0, 6000.0)
 TO_AND_FRO = 2.0**1.5  # standard deviations that a sine is wide
 BENDS = (2, 3, 4, 5)  # powers of the curve in the middle of a saturating loop, beside its own saturation
 STOP, WIDTH = (Shape(name, 0.0, "nT", kind=THRESHOLD) for name in ("r_nT", "w_nT"))
 LON, LAT = Shape("lon_deg", 0.0, "deg", LON_deg, ANGLE), Shape("lat_deg", 0.0, "deg", LAT_deg, ANGLE)
+SPREAD = Shape("sd_ln", 0.6, "1", (0.6,))  # the standard deviation of ln(coercive field)
+MIDDLES = Shape("middles_nT", 0.0, "nT", (6000.0, 20000.0))  # how far apart the middles of the relays' widths lie
 KEPT = Shape("kept", 0.0, "1", kind=GIVEN)
 CORE, PIN = Shape("a_nT", 0.0, "nT", CORES_nT, SCALE), Shape("pinning_nT", 0.0, "nT", kind=THRESHOLD)
 ON_CURVE = Shape("begins_on", 1.0, "1", kind=BEGINNING_ON)  # the part of its curve that a core begins with
 ALONE = Shape("less_itself", 1.0, "1", kind=LESS_ITSELF)  # as a reference drives it in the fit
 BEGINS = Shape("begins", 1.0, "1", kind=BEGINNING)  # how far from rest, or from demagnetised; 1: anywhere
 
+
+POINTS, _weights = np.polynomial.hermite_e.hermegauss(7)  # of a normal distribution
+WEIGHTS = _weights / _weights.sum()
 
 Before = tuple[Array, Array]  # drive and state (k,) each, of the row before the first
 
@@ -110,7 +118,7 @@ def dahl(
 
 
 def kernel(term: Term, scene: Scene) -> Array:
-    """The loops z(s_i) along each axis: Dahl's of a width, saturating ones, or stops of the thresholds.
+    """The loops z(s_i) along each axis: Dahl's of a width, saturating ones, relays, or stops of the thresholds.
 
     Against a vector reference s is the reference's: the reading's own noise would drive the loop, and in a field that
     stands still be taken off by it.
@@ -119,6 +127,8 @@ def kernel(term: Term, scene: Scene) -> Array:
     names, off = {shape.name for shape in term.shape}, _astray(term, scene)
     if "pinning_nT" in names:
         return _of_a_core(term, scene, s)
+    if SPREAD.name in names:
+        return _of_relays(term, scene, s)
     if "w_nT" in names:
         loops = [_along(scene, s, lambda starts, before: dahl(s, term.at("w_nT"), starts, before, off))]
     elif "s_nT" in names:
@@ -159,10 +169,42 @@ def _of_a_core(term: Term, scene: Scene, s: Array) -> Array:
         return state
 
     state = _along(scene, s, loop)
-    drives = [state - langevin(s / a), bent(s / a)]
-    for name, _ in term.parameters[2 * len(AXES) :: len(AXES)]:
-        number = int(name.removeprefix(BODY).split("_")[0].removeprefix("m"))
-        drives.append(left * (scene.of_the_fit & (scene.segment == number))[:, None])
+    drives = [state - langevin(s / a), bent(s / a), *_begun(term, scene, left)]
+    return _along_axes(drives, scene)
+
+
+def _begun(term: Term, scene: Scene, left: Array) -> list[Array]:
+    """What is left (n, 3) of each segment's beginning, in its own rows; the rows of the fit alone know theirs."""
+    names = (name for name, _ in term.parameters[2 * len(AXES) :: len(AXES)])
+    numbers = (int(name.removeprefix(BODY).split("_")[0].removeprefix("m")) for name in names)
+    return [left * (scene.of_the_fit & (scene.segment == number))[:, None] for number in numbers]
+
+
+def widths(term: Term) -> Array:
+    """The widths (7,) [nT] that stand for relays whose coercive fields are spread log-normally."""
+    return np.asarray(term.at(STOP.name) * np.exp(term.at(SPREAD.name) * POINTS))
+
+
+def _of_relays(term: Term, scene: Scene, s: Array) -> Array:
+    """Preisach's relays of all widths, less their curve; the curve's bend; and what was left of each beginning.
+
+    A relay switches where the play of its width passes its middle: over middles that are spread, a bounded function of
+    the play. It is straight enough in where a segment begins to be fitted by its secant.
+    """
+    level, each = term.at(MIDDLES.name), widths(term)
+    drive, limits = np.tile(s, len(each)), np.repeat(each, s.shape[1])
+
+    def relays(astray: float) -> Array:
+        def stopped(starts: Sequence[int], before: Before | None) -> Array:
+            return stop(drive, limits, starts, before=before, astray=astray)
+
+        magnetised_by = np.tanh((drive - _along(scene, drive, stopped)) / level)
+        return np.asarray(WEIGHTS @ magnetised_by.reshape(len(s), len(each), -1))
+
+    left = np.zeros_like(s)
+    if term.of_beginnings and scene.of_the_fit:
+        left = (relays(-1.0) - relays(1.0)) / (2 * ANYWHERE)  # the higher its play, the more is magnetised
+    drives = [relays(_astray(term, scene)) - np.tanh(s / level), bend(s / level), *_begun(term, scene, left)]
     return _along_axes(drives, scene)
 
 
@@ -179,6 +221,8 @@ def in_c(term: Term) -> CForm:
         return c_loops.core(s, places["a_nT"], places["pinning_nT"], places.get(ON_CURVE.name, "R(1.0)"))
     if "w_nT" in places:
         return c_loops.dahl(s, places["w_nT"])
+    if SPREAD.name in places:
+        return c_loops.relays(s, places["r_nT"], places[MIDDLES.name], places[SPREAD.name], POINTS, WEIGHTS)
     if "s_nT" in places:
         return c_loops.saturating(s, places["r_nT"], places["s_nT"], BENDS)
     thresholds = [places["r_nT"]] if "r_nT" in places else [real(r) for r in _thresholds(term)]
@@ -229,13 +273,14 @@ def _thresholds(term: Term) -> list[float]:
 
 
 def candidates(run: Run) -> list[Term]:
-    """Dahl's loop, one stop, several, a saturating loop about a curve, and a core, along either axes; and a bar.
+    """Dahl's loop, one stop, several, a saturating loop about a curve, and cores, along either axes; and a bar.
 
     Stops are tried from rest, and demagnetised before the first segment or before each. From rest no loop is seen that
     is wider than the field goes to and fro within a segment: it would take off the reference's own noise.
     """
     least, travel = _narrowest(run), _travel(run)
-    thresholds, widths, pins, bars = (_above(least, grid) for grid in (THRESHOLDS_nT, WIDTHS_nT, PINS_nT, BAR_nT))
+    grids = THRESHOLDS_nT, WIDTHS_nT, RELAYS_nT, PINS_nT, BAR_nT
+    thresholds, widths, relays, pins, bars = (_above(least, grid) for grid in grids)
     seen, found = tuple(r for r in thresholds if r <= travel), list[Term]()
     for drive in ("", BODY):
         several = [part for part in (_stops(f"{drive}c", _above(least, grid)) for grid in SEVERAL_nT) if part]
@@ -245,8 +290,9 @@ def candidates(run: Run) -> list[Term]:
             found += [Term(kernel, part, shape=(kept,)) for part in several]
         if travel <= THRESHOLDS_nT[0]:
             continue
-        if pins and len(run.segments) <= MOST_BEGINNINGS:
-            found.append(_core(run, drive, pins))
+        if len(run.segments) <= MOST_BEGINNINGS:
+            found += [_core(run, drive, pins)] if pins else []
+            found += [_relays(run, drive, relays)] if relays else []
         units = [("nT", replace(WIDTH, grid=seen)), ("1", replace(STOP, grid=seen))]
         found += [Term(kernel, per_axis(f"{drive}c", unit), shape=(shape,)) for unit, shape in units if seen]
         found += [Term(kernel, part) for part in several]
@@ -271,10 +317,20 @@ def _stops(name: str, thresholds: tuple[float, ...]) -> tuple[tuple[str, str], .
 
 
 def _core(run: Run, drive: str, pins: tuple[float, ...]) -> Term:
+    """A core whose walls are pinned."""
+    return _magnetised(run, drive, (CORE, replace(PIN, grid=pins), ON_CURVE))
+
+
+def _relays(run: Run, drive: str, grid: tuple[float, ...]) -> Term:
+    """A core of relays."""
+    return _magnetised(run, drive, (replace(STOP, grid=grid), MIDDLES, SPREAD))
+
+
+def _magnetised(run: Run, drive: str, shape: tuple[Shape, ...]) -> Term:
     """A core with its curve, and with how it was magnetised at the beginning of each segment."""
     begun = tuple(p for number in np.unique(run.segment_index).tolist() for p in per_axis(f"{drive}m{number}", "nT"))
     curve = (*per_axis(f"{drive}c", "nT"), *per_axis(f"{drive}t1", "nT"))
-    return Term(kernel, (*curve, *begun), shape=(CORE, replace(PIN, grid=pins), ON_CURVE), of_beginnings=len(begun))
+    return Term(kernel, (*curve, *begun), shape=shape, of_beginnings=len(begun))
 
 
 def _travel(run: Run) -> float:
@@ -313,7 +369,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
-    shapes=(STOP, WIDTH, SATURATION, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS, ALONE),
+    shapes=(STOP, WIDTH, SATURATION, SPREAD, MIDDLES, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS, ALONE),
     of_field=True,
     follows_reference=True,
     extends=("nonlinearity",),
