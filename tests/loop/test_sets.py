@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -11,6 +13,7 @@ import pytest
 
 from labcal import session
 from labcal.loop import ClosedLoop, close_loop
+from labcal.store import load_bundle
 
 Rows = dict[str, np.ndarray]
 
@@ -93,3 +96,13 @@ def test_idle_panels_make_no_set(making: ModuleType, tmp_path: Path) -> None:
     closed = _closed(making, tmp_path, told, 0.0)
     assert closed.accepted == ()
     assert closed.verdict == "clean"
+
+
+@pytest.mark.slow  # half a minute: housekeeping as slow as what it tells
+def test_what_held_out_blocks_leave_of_a_set_is_named_where_nothing_else_leaves_less(tmp_path: Path) -> None:
+    program = Path(__file__).parents[1] / "blind" / "spacecraft.py"
+    subprocess.run([sys.executable, program, tmp_path, "125", "73913", "44"], check=True)
+    (folder,) = tmp_path.glob("b*")
+    closed = close_loop(load_bundle(folder / "bundle").run())
+    assert {e.effect for e in closed.accepted} == {"offset-current"}
+    assert closed.after.holdout_rms_nT < 0.6 * closed.before.holdout_rms_nT
