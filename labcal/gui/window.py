@@ -79,10 +79,10 @@ class Window(Frame):
         self.prebuild_timer.timeout.connect(self.prebuild)
         self.imports = Thread(target=import_pages, daemon=True, name="imports")
         self._before_wall: QSize | None = None
-        self.fault = FaultCard(hands=app_state.hands)
+        self.fault, self.earlier = FaultCard(hands=app_state.hands), EarlierCard(app_state.off.earlier, app_state.lab)
         self.scan_card, self.shown_bar = ScanCard(app_state.scan_vm), ShownBar(app_state)
-        self.earlier = EarlierCard(app_state.off.earlier, app_state.lab)
-        for card in (self.fault, self.earlier, self.scan_card, self.shown_bar):
+        self.cards = self.fault, self.earlier, self.scan_card, self.shown_bar
+        for card in self.cards:
             card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
         self.lock_screen = LockScreen(app_state.login)
@@ -241,8 +241,7 @@ class Window(Frame):
             keys.setStyleSheet(sheet)
             keys.fit_into(self.size())
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
-        above = self.fault, self.earlier, self.scan_card, self.shown_bar
-        for part in (self.top, self.side, self.sidebar, self.bottom, *above, self.lock_screen):
+        for part in (self.top, self.side, self.sidebar, self.bottom, *self.cards, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()

@@ -143,10 +143,10 @@ static labcal_real saturating(labcal_real drive, labcal_real stopped, labcal_rea
     "relays": """\
 /* The mean of a bounded function of the plays of several widths, less the same of the field. */
 static labcal_real relays(labcal_stop *states, const labcal_now *now, labcal_real drive, labcal_real level,
-                          const labcal_real *width, const double *share)
+                          const labcal_real *width, const double *share, int count)
 {
     double sum = 0.0;
-    for (int k = 0; k < 7; k++)
+    for (int k = 0; k < count; k++)
         sum += share[k] * (double)saturating(drive, stop(&states[k], now, drive, width[k], 0), level);
     return (labcal_real)sum;
 }

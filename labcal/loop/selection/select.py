@@ -88,8 +88,6 @@ def select(
     for _ in range(MAX_ROUNDS):
         last = _select_once(pool, blocks, most, refused, later)
         outcome, place = _judge(pool, last, level, later)
-        if members is None and outcome == "broken" and _is_supported(pool, last, level):
-            members = last
         if outcome == "supported":
             ending = "supported"
             break
@@ -100,6 +98,7 @@ def select(
             most = place
         elif outcome == "broken":
             later |= last.broken
+            members = last if members is None and place else members
         elif outcome == "not first":
             later.add(last.accepted[0].cause)
         else:
@@ -139,20 +138,13 @@ def _proven_members(pool: CandidateSet, blocks: BlockFolds, accepted: list[Candi
     return out
 
 
-def _is_supported(pool: CandidateSet, last: _Round, level: NoiseFloor) -> bool:
-    """Whether held-out blocks support what a round accepted, and none of it could be another's misfit."""
-    accepted, contributions = last.accepted, last.contributions
-    unsupported = first_unsupported(pool, accepted, contributions, level)
-    return unsupported is None and is_sure_first(pool, last.blocks, accepted, contributions, level)
-
-
 def _left_nT(pool: CandidateSet, last: _Round) -> float:
     """What the effects of a round leave of held-out blocks."""
     return cross_validate(pool, last.blocks, fixed_choice(last.accepted)).after
 
 
 def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor, later: Collection[Cause]) -> tuple[RoundOutcome, int]:
-    """What a round comes to, and the place of the effect that it fails at."""
+    """What a round comes to, and the place of the effect that it fails at; of a broken set how many effects stand."""
     accepted, contributions = last.accepted, last.contributions
     place = first_unsupported(pool, accepted, contributions, level)
     if place is None and not is_sure_first(pool, last.blocks, accepted, contributions, level):
@@ -160,7 +152,7 @@ def _judge(pool: CandidateSet, last: _Round, level: NoiseFloor, later: Collectio
             return "not first", 0
         place = 0
     if last.broken.difference(later) and not place:
-        return "broken", 0
+        return "broken", 0 if place is not None else len(accepted)
     if place is None:
         return ("displaced" if last.displaced else "supported"), len(accepted)
     again = accepted[place].cause in {c.cause for c in accepted[:place]}

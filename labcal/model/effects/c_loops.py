@@ -82,7 +82,8 @@ def relays(s: str, width: str, level: str, spread: str, points: Iterable[float],
     for i in range(3):
         own = f"{s}[{i}]"
         lines.append(
-            f"along_axis(e[{i}], {i}, relays(state->stop + {len(each) * i}, now, {own}, {level}, width, share));"
+            f"along_axis(e[{i}], {i}, relays(state->stop + {len(each) * i}, now, {own}, {level}, width, share,"
+            f" {len(each)}));"
         )
         lines.append(f"along_axis(e[{3 + i}], {i}, bend({own} / {level}));")
     formula = (
