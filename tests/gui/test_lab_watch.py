@@ -175,7 +175,8 @@ def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_l
     assert app_state.watch_worker.commands(ReadLab) == []
 
 
-def test_the_headline_after_coils_off_stays_while_the_supplies_of_a_simulated_lab_are_watched(still, later):
+def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_been_read(still, later):
+    """Of a simulated lab the supplies are read on, and nobody looks at its reference: how old that is, is said."""
     app_state, live = still.app_state, still.page("Run").live
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     app_state.off.order()
@@ -185,14 +186,24 @@ def test_the_headline_after_coils_off_stays_while_the_supplies_of_a_simulated_la
         LabState(coils, Witness("agrees", "", read_s=now), platform=PlatformReading(223.0, False, now))
     )
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "failed: aborted by the operator"))
-    said = set()
-    for seconds in (0.0, 3.0, 4.0):
-        later(seconds)
+
+    def said():
         live.draw()
-        said.add((live.verdict.word.text(), live.verdict.word.property("state")))
-        app_state.take_lab(replace(app_state.known, coils=tuple(
-            replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)))  # fmt: skip
-        live.draw()
-        said.add((live.verdict.word.text(), live.verdict.word.property("state")))
-    assert len(said) == 1, said
-    assert "coils at zero" in said.pop()[0].replace("\N{NO-BREAK SPACE}", " ")
+        words = live.verdict.word.text().replace("\N{NO-BREAK SPACE}", " ")
+        return words, live.verdict._state
+
+    def read_again():
+        coils = tuple(replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)
+        app_state.take_lab(replace(app_state.known, coils=coils))
+
+    assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
+    later(3.0)
+    read_again()
+    assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
+    later(32.0)
+    read_again()
+    assert said() == ("■ COILS OFF: coils at zero, platform stands, the reference agreed 35 s ago", "")
+    later(40.0)  # nobody reads the supplies either
+    words, state = said()
+    assert state == "warning"
+    assert "(40 s ago)" in words

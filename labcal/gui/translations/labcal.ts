@@ -9675,6 +9675,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the reference agreed {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>platform stands</source>
         <translation type="unfinished"></translation>
     </message>

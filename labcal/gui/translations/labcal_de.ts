@@ -9676,6 +9676,10 @@ diesem Schritt …</translation>
         <translation>{0} SPULEN AUS: {1}</translation>
     </message>
     <message>
+        <source>the reference agreed {0}</source>
+        <translation>die Referenz stimmte {0} zu</translation>
+    </message>
+    <message>
         <source>platform stands</source>
         <translation>Tisch steht</translation>
     </message>

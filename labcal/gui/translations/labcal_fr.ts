@@ -9676,6 +9676,10 @@ cette étape …</translation>
         <translation>{0} BOBINES À ZÉRO : {1}</translation>
     </message>
     <message>
+        <source>the reference agreed {0}</source>
+        <translation>la référence concordait {0}</translation>
+    </message>
+    <message>
         <source>platform stands</source>
         <translation>la plate-forme est arrêtée</translation>
     </message>
