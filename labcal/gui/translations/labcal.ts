@@ -787,6 +787,21 @@
     </message>
 </context>
 <context>
+    <name>CoveredBar</name>
+    <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>coils at zero</source>
@@ -6449,10 +6464,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6462,14 +6473,6 @@
     </message>
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}, this turn: {1} % of the circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9884,6 +9887,10 @@ after this step …</source>
     </message>
     <message>
         <source>cannot be shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} · run of {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -787,6 +787,21 @@
     </message>
 </context>
 <context>
+    <name>CoveredBar</name>
+    <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Wie viel des Kreises die Drehung um diese Achse gesehen hat, in Sektoren von 15°</translation>
+    </message>
+    <message>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, diese Drehung: {1} % des Kreises</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0}: {1} % des Kreises</translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>coils at zero</source>
@@ -6473,14 +6488,6 @@
         <translation>wie eingebaut</translation>
     </message>
     <message>
-        <source>{0}, this turn: {1} % of the circle</source>
-        <translation>{0}, diese Drehung: {1} % des Kreises</translation>
-    </message>
-    <message>
-        <source>{0}: {1} % of the circle</source>
-        <translation>{0}: {1} % des Kreises</translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation>Hier ist das „Weiter“: Was fertig ist, bleibt.</translation>
     </message>
@@ -6495,10 +6502,6 @@
     <message>
         <source>Go on</source>
         <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
-        <translation>Wie viel des Kreises die Drehung um diese Achse gesehen hat, in Sektoren von 15°</translation>
     </message>
     <message>
         <source>Pausing
@@ -9886,6 +9889,10 @@ diesem Schritt …</translation>
     <message>
         <source>cannot be shown</source>
         <translation>kann nicht angezeigt werden</translation>
+    </message>
+    <message>
+        <source>{0} · run of {1}</source>
+        <translation>{0} · Messung vom {1}</translation>
     </message>
 </context>
 <context>

@@ -787,6 +787,21 @@
     </message>
 </context>
 <context>
+    <name>CoveredBar</name>
+    <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Part du cercle vue par le tour autour de cet axe, en secteurs de 15°</translation>
+    </message>
+    <message>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, ce tour : {1} % du cercle</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0} : {1} % du cercle</translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>coils at zero</source>
@@ -6473,14 +6488,6 @@
         <translation>tel que monté</translation>
     </message>
     <message>
-        <source>{0}, this turn: {1} % of the circle</source>
-        <translation>{0}, ce tour : {1} % du cercle</translation>
-    </message>
-    <message>
-        <source>{0}: {1} % of the circle</source>
-        <translation>{0} : {1} % du cercle</translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation>Ici, c&apos;est « Continuer » : ce qui est terminé est gardé.</translation>
     </message>
@@ -6495,10 +6502,6 @@
     <message>
         <source>Go on</source>
         <translation>Continuer</translation>
-    </message>
-    <message>
-        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
-        <translation>Part du cercle vue par le tour autour de cet axe, en secteurs de 15°</translation>
     </message>
     <message>
         <source>Pausing
@@ -9886,6 +9889,10 @@ cette étape …</translation>
     <message>
         <source>cannot be shown</source>
         <translation>ne peut être affiché</translation>
+    </message>
+    <message>
+        <source>{0} · run of {1}</source>
+        <translation>{0} · mesure du {1}</translation>
     </message>
 </context>
 <context>
