@@ -5967,6 +5967,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>See what was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit works it out again: figures and pictures side by side.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9486,7 +9490,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The Loop page says what was found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5983,6 +5983,10 @@
         <translation>rechnet: {0}</translation>
     </message>
     <message>
+        <source>See what was found</source>
+        <translation>Ergebnis ansehen</translation>
+    </message>
+    <message>
         <source>Fit works it out again: figures and pictures side by side.</source>
         <translation>Fit rechnet es noch einmal: Zahlen und Bilder nebeneinander.</translation>
     </message>
@@ -9487,8 +9491,20 @@ diesem Schritt …</translation>
         <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT. Den Rest erklären.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT.</translation>
+    </message>
+    <message>
+        <source>Trace the residual.</source>
+        <translation>Den Rest erklären.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The Loop page says what was found.</source>
+        <translation>Der Rest wurde untersucht: {0}. Was gefunden wurde, steht auf der Seite Ursachen.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
+        <translation>Der Rest wurde untersucht: {0}. Die Ursache steht im Entwurf, den die Seite Ursachen gemacht hat.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>

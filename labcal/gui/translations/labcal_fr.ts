@@ -5983,6 +5983,10 @@
         <translation>calcul : {0}</translation>
     </message>
     <message>
+        <source>See what was found</source>
+        <translation>Voir le résultat</translation>
+    </message>
+    <message>
         <source>Fit works it out again: figures and pictures side by side.</source>
         <translation>Ajuster le recalcule : chiffres et images côte à côte.</translation>
     </message>
@@ -9487,8 +9491,20 @@ cette étape …</translation>
         <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré de |b| d&apos;une lecture, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
-        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT. Expliquer le résidu.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT.</translation>
+    </message>
+    <message>
+        <source>Trace the residual.</source>
+        <translation>Expliquer le résidu.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The Loop page says what was found.</source>
+        <translation>Le résidu a été examiné : {0}. La page Causes dit ce qui a été trouvé.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
+        <translation>Le résidu a été examiné : {0}. Sa cause est dans le projet fait par la page Causes.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>

@@ -110,6 +110,13 @@ class PathViewModel(QObject):
         mine = [one for one in self.files if one.run_id == run_id]
         return next((one for one in mine if one.standing.signatures), mine[0] if mine else None)
 
+    def traced(self, run_id: str) -> str:
+        """The loop's verdict on a run, of this session or as the store has it; "" where its residual was not traced."""
+        studied = self._study.of(run_id)
+        if studied is not None and studied.loop is not None:
+            return studied.loop.verdict
+        return next((one.verdict for one in self.runs if one.run_id == run_id), "")
+
     def why_no_fit(self, run_id: str) -> str:
         """Why a run gives no calibration; "" where it may, or is not known."""
         listed = next((one for one in self.runs if one.run_id == run_id), None)
@@ -276,8 +283,7 @@ class PathViewModel(QObject):
         studied = self._study.of(last.run_id)
         if studied is not None and studied.traces:
             return "now"
-        loop = None if studied is None else studied.loop
-        verdict = loop.verdict if loop is not None else last.verdict
+        verdict = self.traced(last.run_id)
         return "open" if not verdict else "done" if verdict in EXPLAINED else "doubt"
 
     def _of_the_file(self, last: RunLine) -> Mark:
