@@ -13,7 +13,6 @@ from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.named_serials import other_serials
 from labcal.bench.steps import Procedure, read_back
@@ -21,7 +20,9 @@ from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
 from labcal.runner.awaited import Awaited
 from labcal.runner.control import Aborted, Control, Left, NotKept, stopped_by
+from labcal.runner.meanwhile import Meanwhile
 from labcal.runner.prompts import Answer, checked
+from labcal.runner.read_twice import read_twice
 from labcal.runner.said_of_faults import in_a_sentence, what_else
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
@@ -71,6 +72,7 @@ class Drive:
     _end_requested_s: float | None = field(default=None, init=False)
     _shown_s: float = field(default=0.0, init=False)  # when the lab was shown last, by the computer's monotonic clock
     _announced: str = field(default="", init=False)  # which takes long
+    _meanwhile: Meanwhile = field(default_factory=Meanwhile, init=False)
     _fault_kept: str = field(default="", init=False)  # the words of the last fault in the record
 
     def run(self, procedure: Procedure) -> Ending:
@@ -147,6 +149,7 @@ class Drive:
             self._keep_one(event, now - event.t_s)
 
     def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
+        self._meanwhile.see(item, self.bench)
         item = _later(item, self.offset_s) if self.offset_s else item
         with self.zero_unless_kept():
             self.write(item)
@@ -167,6 +170,7 @@ class Drive:
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)
         given = checked(prompt, self._answer_while_listening(prompt))
+        self._say_what_moved(answered=True)
         operator = self.bench.simulated_operator
         if operator is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
             operator.do(prompt)
@@ -202,11 +206,17 @@ class Drive:
         stands = Awaited(self.bench) if isinstance(self.bench.clock, VirtualClock) else None
         while awaited():
             self._check()
+            self._say_what_moved()
             if stands is None or stands.lets_pass():
                 self._listen()
             else:
                 wait(LISTEN_S)
                 self.show(stands.state())
+
+    def _say_what_moved(self, *, answered: bool = False) -> None:
+        """While somebody was silent: to whoever has had hands at a plug."""
+        if (moved := self._meanwhile.over(self.bench, answered=answered)) is not None:
+            self._keep(moved)
 
     @property
     def _rests(self) -> bool:
@@ -346,10 +356,10 @@ class Drive:
         `lost` takes what the supplies still had to say: a coil that the guardian took to zero says so before it
         measures again.
         """
-        currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
+        currents = [read_twice(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
         if None in currents:
             self.bench.wait_for_ends()
-            currents = [_measured(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
+            currents = [read_twice(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
         if None in currents:  # what its guardian alone could read
             self.state = self.bench.state_with_ends()
@@ -385,15 +395,3 @@ def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseE
         answers.put(answer(prompt))
     except BaseException as fault:
         answers.put(fault)
-
-
-def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
-    """The current [A], asked again after an order of zero where the first answer is a fault; None where both are."""
-    try:
-        return cage.read(axis)
-    except InstrumentError as fault:
-        lost.append(fault)
-    with suppress(InstrumentError):
-        cage.supplies[axis].set_current(0.0)
-        return cage.read(axis)
-    return None

@@ -4336,6 +4336,18 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>after the silence: platform {0}° before, {1}° now; field at zero {2} nT before, {3} nT now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after the silence: field at zero {0} nT before, {1} nT now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the end of the run waits: {0}</source>
         <translation type="unfinished"></translation>
     </message>

@@ -32,6 +32,12 @@ EVENTS = (
     QT_TRANSLATE_NOOP("Data", "{0} skipped: {1}"),
     QT_TRANSLATE_NOOP("Data", "not used: {0}: {1}"),
     QT_TRANSLATE_NOOP("Data", "{0}: it answers again"),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "after the silence: platform {0}° before, {1}° now; field at zero {2} nT before, {3} nT now",
+    ),
+    QT_TRANSLATE_NOOP("Data", "after the silence: platform {0}° before, {1}° now"),
+    QT_TRANSLATE_NOOP("Data", "after the silence: field at zero {0} nT before, {1} nT now"),
     QT_TRANSLATE_NOOP("Data", "the end of the run waits: {0}"),
     QT_TRANSLATE_NOOP("Data", "the run ends: {0}"),
     QT_TRANSLATE_NOOP("Data", "goes on after an interruption"),
