@@ -18,12 +18,14 @@ from labcal.bench.named_serials import other_serials
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.runner.another_dut import AnotherDut
 from labcal.runner.awaited import Awaited
 from labcal.runner.control import Aborted, Control, Left, NotKept, stopped_by
 from labcal.runner.meanwhile import Meanwhile
 from labcal.runner.prompts import Answer, checked
 from labcal.runner.read_twice import read_twice
 from labcal.runner.said_of_faults import in_a_sentence, what_else
+from labcal.runner.shifted import shifted
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 SHOWN_S = 0.5  # while something takes long: how the lab is, as far as that was read
@@ -72,6 +74,7 @@ class Drive:
     _end_requested_s: float | None = field(default=None, init=False)
     _shown_s: float = field(default=0.0, init=False)  # when the lab was shown last, by the computer's monotonic clock
     _announced: str = field(default="", init=False)  # which takes long
+    _another: AnotherDut = field(default_factory=AnotherDut, init=False)
     _meanwhile: Meanwhile = field(default_factory=Meanwhile, init=False)
     _fault_kept: str = field(default="", init=False)  # the words of the last fault in the record
 
@@ -122,6 +125,9 @@ class Drive:
                     item = procedure.throw(TypeError(f"a procedure yields items of a run, and {item!r} is none"))
             except StopIteration:
                 return
+            if (another := self._another.question(self.bench, item)) is not None:
+                yield another
+                self._another.take(self._reply)
             yield item
 
     def _refuse_mode(self, item: Item) -> None:
@@ -150,7 +156,7 @@ class Drive:
 
     def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
         self._meanwhile.see(item, self.bench)
-        item = _later(item, self.offset_s) if self.offset_s else item
+        item = shifted(item, self.offset_s) if self.offset_s else item
         with self.zero_unless_kept():
             self.write(item)
         if isinstance(item, Event) and item.kind == FAULT:
@@ -294,11 +300,11 @@ class Drive:
             return
         self._announced = words
         with suppress(Exception):  # the way to zero goes on whoever watches
-            self.on_item(_later(self._event("slow-zero", words), self.offset_s))
+            self.on_item(shifted(self._event("slow-zero", words), self.offset_s))
 
     def _report_not_kept(self, fault: InputError | InstrumentError) -> None:
         """At once, for the last rows may be waited for; it is in the record where that can be mended."""
-        said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
+        said = shifted(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
         with suppress(InputError, InstrumentError):
             self.write(said)
         self.on_item(said)
@@ -382,12 +388,6 @@ def _failed(act: Callable[[], None]) -> list[Exception]:
     except Exception as fault:
         return [fault]
     return []
-
-
-def _later(item: Item, by_s: float) -> Item:
-    if isinstance(item, Block):
-        return replace(item, t_s=item.t_s + by_s)
-    return replace(item, t_s=item.t_s + by_s)
 
 
 def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseException]) -> None:

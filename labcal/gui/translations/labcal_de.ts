@@ -4320,6 +4320,14 @@
         <translation>{0} nennt sich {1}, und diese Messung ist von {2}</translation>
     </message>
     <message>
+        <source>{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?</source>
+        <translation>{0} nennt sich {1}, und diese Messung ist von {2}. Trotzdem als {3} messen?</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.</source>
+        <translation>{0} nennt sich {1}, und diese Messung ist von {2}: nichts wurde gemessen. Sagen, welcher Prüfling es ist, und neu beginnen.</translation>
+    </message>
+    <message>
         <source>{0} names itself {1}, and bench.toml states {2}</source>
         <translation>{0} nennt sich {1}, und bench.toml gibt {2} an</translation>
     </message>
@@ -5909,7 +5917,7 @@
     </message>
     <message>
         <source>Put this card away</source>
-        <translation>Diese Karte weglegen</translation>
+        <translation>Diese Karte schließen</translation>
     </message>
     <message>
         <source>For who mends labcal; a problem report holds it:</source>
@@ -6406,7 +6414,7 @@
     </message>
     <message>
         <source>Put this sheet away (Esc)</source>
-        <translation>Dieses Blatt weglegen (Esc)</translation>
+        <translation>Dieses Blatt schließen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -6481,7 +6489,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Ablegen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
@@ -6509,7 +6517,7 @@
     </message>
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
-        <translation>Diese Messung ist zu Ende: „Ablegen“, dann misst „Beginnen“ von vorn.</translation>
+        <translation>Diese Messung ist zu Ende: „Schließen“, dann misst „Beginnen“ von vorn.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
@@ -6527,7 +6535,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
-        <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>{0} Or Close, and begin anew.</source>
@@ -7552,7 +7560,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Put it away</source>
-        <translation>Weglegen</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -9280,7 +9288,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Begin.</source>
-        <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Gemessenes bleibt. Neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.</source>
@@ -9288,7 +9296,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
-        <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Oben Genanntes beheben, dann neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
@@ -9348,7 +9356,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation>Neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>

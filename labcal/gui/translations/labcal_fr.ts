@@ -4320,6 +4320,14 @@
         <translation>{0} se nomme {1}, et cette mesure est de {2}</translation>
     </message>
     <message>
+        <source>{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?</source>
+        <translation>{0} se nomme {1}, et cette mesure est de {2}. Le mesurer quand même comme {3} ?</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.</source>
+        <translation>{0} se nomme {1}, et cette mesure est de {2} : rien n&apos;a été mesuré. Dire de quel capteur il s&apos;agit, et recommencer.</translation>
+    </message>
+    <message>
         <source>{0} names itself {1}, and bench.toml states {2}</source>
         <translation>{0} se nomme {1}, et bench.toml indique {2}</translation>
     </message>
@@ -5909,7 +5917,7 @@
     </message>
     <message>
         <source>Put this card away</source>
-        <translation>Ranger cette carte</translation>
+        <translation>Fermer cette carte</translation>
     </message>
     <message>
         <source>For who mends labcal; a problem report holds it:</source>
@@ -6406,7 +6414,7 @@
     </message>
     <message>
         <source>Put this sheet away (Esc)</source>
-        <translation>Ranger cette feuille (Échap)</translation>
+        <translation>Fermer cette feuille (Échap)</translation>
     </message>
 </context>
 <context>
@@ -7552,7 +7560,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Put it away</source>
-        <translation>Ranger</translation>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
