@@ -7234,6 +7234,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7243,10 +7247,6 @@ after this step …</source>
     </message>
     <message>
         <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

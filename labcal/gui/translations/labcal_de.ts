@@ -7235,6 +7235,10 @@ diesem Schritt …</translation>
         <translation>Jedes Gerät antwortet wieder.</translation>
     </message>
     <message>
+        <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Übersprungen fehlt es, und diese Messung kommt nicht darauf zurück; nur „Achse neu“, wo das beim nächsten Einbau angeboten wird, dreht seine Achse noch einmal. Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
     </message>
@@ -7245,10 +7249,6 @@ diesem Schritt …</translation>
     <message>
         <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
         <translation>Knopf oder Taste halten, bis er voll ist. Enter tut hier nichts.</translation>
-    </message>
-    <message>
-        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
-        <translation>Übersprungen fehlt es: Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>

@@ -7235,6 +7235,10 @@ cette étape …</translation>
         <translation>Chaque instrument répond de nouveau.</translation>
     </message>
     <message>
+        <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Sautée, elle manque, et cette mesure n&apos;y revient pas ; seul « Refaire l&apos;axe », s&apos;il est proposé au montage suivant, refait tourner son axe. Le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
     </message>
@@ -7245,10 +7249,6 @@ cette étape …</translation>
     <message>
         <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
         <translation>Maintenir le bouton, ou sa touche, jusqu’à ce qu’il soit plein. Entrée ne fait rien ici.</translation>
-    </message>
-    <message>
-        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
-        <translation>Sautée, elle manque : le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
