@@ -1,4 +1,4 @@
-"""What moved while an instrument was silent: the platform's angle and the field at zero, before it and after."""
+"""What moved while an instrument was silent: the platform's angle and the ambient field, before it and after."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def words(before_deg: float | None, now_deg: float | None, before_nT: Vector | N
     if before_deg is not None and now_deg is not None:
         said.append(f"platform {before_deg:.1f}° before, {now_deg:.1f}° now")
     if before_nT is not None and now_nT is not None:
-        said.append(f"field at zero {_field(before_nT)} nT before, {_field(now_nT)} nT now")
+        said.append(f"ambient field {_field(before_nT)} nT before, {_field(now_nT)} nT now")
     return f"after the silence: {'; '.join(said)}" if said else ""
 
 

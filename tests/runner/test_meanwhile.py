@@ -1,4 +1,4 @@
-"""After a silence it is said what moved meanwhile: the platform's angle and the field at zero, before and now."""
+"""After a silence it is said what moved meanwhile: the platform's angle and the ambient field, before and now."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def said(kind: str, fault: str) -> Event:
 
 
 AGREES = Witness("agrees", "", NOW_NT, AMBIENT, 15.6, 2000.0, 12.0)
-BOTH = "field at zero 20400 1150 -43700 nT before, 20412 1150 -43690 nT now"
+BOTH = "ambient field 20400 1150 -43700 nT before, 20412 1150 -43690 nT now"
 
 
 @pytest.mark.parametrize("lost", [said(FAULT, "silent"), said("stream", "link lost")])

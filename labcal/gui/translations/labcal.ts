@@ -4344,7 +4344,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>after the silence: platform {0}° before, {1}° now; field at zero {2} nT before, {3} nT now</source>
+        <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4352,7 +4352,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>after the silence: field at zero {0} nT before, {1} nT now</source>
+        <source>after the silence: ambient field {0} nT before, {1} nT now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4344,16 +4344,16 @@
         <translation>{0}: antwortet wieder</translation>
     </message>
     <message>
-        <source>after the silence: platform {0}° before, {1}° now; field at zero {2} nT before, {3} nT now</source>
-        <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°; Feld bei Null vorher {2} nT, jetzt {3} nT</translation>
+        <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
+        <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°; Umgebungsfeld vorher {2} nT, jetzt {3} nT</translation>
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now</source>
         <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°</translation>
     </message>
     <message>
-        <source>after the silence: field at zero {0} nT before, {1} nT now</source>
-        <translation>nach der Stille: Feld bei Null vorher {0} nT, jetzt {1} nT</translation>
+        <source>after the silence: ambient field {0} nT before, {1} nT now</source>
+        <translation>nach der Stille: Umgebungsfeld vorher {0} nT, jetzt {1} nT</translation>
     </message>
     <message>
         <source>the end of the run waits: {0}</source>

@@ -4344,16 +4344,16 @@
         <translation>{0} : répond de nouveau</translation>
     </message>
     <message>
-        <source>after the silence: platform {0}° before, {1}° now; field at zero {2} nT before, {3} nT now</source>
-        <translation>après le silence : plateforme {0}° avant, {1}° maintenant ; champ à zéro {2} nT avant, {3} nT maintenant</translation>
+        <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
+        <translation>après le silence : plateforme {0}° avant, {1}° maintenant ; champ ambiant {2} nT avant, {3} nT maintenant</translation>
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now</source>
         <translation>après le silence : plateforme {0}° avant, {1}° maintenant</translation>
     </message>
     <message>
-        <source>after the silence: field at zero {0} nT before, {1} nT now</source>
-        <translation>après le silence : champ à zéro {0} nT avant, {1} nT maintenant</translation>
+        <source>after the silence: ambient field {0} nT before, {1} nT now</source>
+        <translation>après le silence : champ ambiant {0} nT avant, {1} nT maintenant</translation>
     </message>
     <message>
         <source>the end of the run waits: {0}</source>

@@ -39,10 +39,10 @@ EVENTS = (
     QT_TRANSLATE_NOOP("Data", "{0}: it answers again"),
     QT_TRANSLATE_NOOP(
         "Data",
-        "after the silence: platform {0}° before, {1}° now; field at zero {2} nT before, {3} nT now",
+        "after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now",
     ),
     QT_TRANSLATE_NOOP("Data", "after the silence: platform {0}° before, {1}° now"),
-    QT_TRANSLATE_NOOP("Data", "after the silence: field at zero {0} nT before, {1} nT now"),
+    QT_TRANSLATE_NOOP("Data", "after the silence: ambient field {0} nT before, {1} nT now"),
     QT_TRANSLATE_NOOP("Data", "the end of the run waits: {0}"),
     QT_TRANSLATE_NOOP("Data", "the run ends: {0}"),
     QT_TRANSLATE_NOOP("Data", "goes on after an interruption"),
