@@ -4,11 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from labcal.gui.ipc.answers import RunLine
 from labcal.gui.pages.lazy_page import LazyPage
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.path import Next
+from labcal.gui.viewmodels.run_search import local_time
 from labcal.gui.widgets.common import set_primary
+
+OF_RUN = QT_TRANSLATE_NOOP("Words", "{0} · run of {1}")
 
 
 def begins_at(lazy_page: LazyPage) -> list[QWidget]:
@@ -30,7 +36,12 @@ def pressed_by_next(pages: Mapping[str, LazyPage], to: Next) -> QPushButton | No
     return next((one for one in found if isinstance(one, QPushButton)), None)
 
 
-def said_here(pages: Mapping[str, LazyPage], to: Next, here: bool) -> str:
-    """Its words; on the Bench page, where it is open, those of the button that Next presses."""
+def said_here(pages: Mapping[str, LazyPage], to: Next, here: bool, unlike: RunLine | None = None) -> str:
+    """Its words; on the Bench page, where it is open, those of the button that Next presses.
+
+    `unlike`: the run that it speaks of, where the page in sight shows another one.
+    """
+    if unlike is not None:
+        return translated(str(OF_RUN)).format(to.words, f"{local_time(unlike.started_utc):%Y-%m-%d %H:%M}")
     does = pressed_by_next(pages, to) if here and to.page == "Bench" else None
     return to.words if does is None else does.text()

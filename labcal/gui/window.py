@@ -120,6 +120,7 @@ class Window(Frame):
         self.next.clicked.connect(self._go_on)
         described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.press), self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
+        app_state.one_dut.changed.connect(self._show_next)
         self._show_path()
         self.stack.currentChanged.connect(self._page_turned)
         app_state.scan_vm.changed.connect(self._show_next)
@@ -270,16 +271,15 @@ class Window(Frame):
         return super().eventFilter(watched, event)
 
     def _show_path(self) -> None:
-        path = self.app_state.path
-        self.show_path({name: SHAPES[mark] for name, mark in path.marks().items()})
+        self.show_path({name: SHAPES[mark] for name, mark in self.app_state.path.marks().items()})
         self._show_next()
 
     def _show_next(self) -> None:
         """Who sees already what goes on, and is not asked, has nothing to do but to wait; a scan is answered first."""
         to, app_state = self.app_state.path.next(), self.app_state
-        here = self.page_shown() == to.page
+        here, unlike = self.page_shown() == to.page, app_state.one_dut.unlike(to, self.page_shown())
         begins = self.tr("Begin {0}").format(app_state.path.begins)
-        self.say_next(begins if here and to.ready else said_here(self.lazy_pages, to, here))
+        self.say_next(begins if here and to.ready else said_here(self.lazy_pages, to, here, unlike))
         QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget()))
         nothing_to_do = to.waits and here
         self.next.setVisible(not (nothing_to_do and app_state.run.alive))  # who is needed when stands beside the steps

@@ -33,10 +33,11 @@ class Awaited:
         return replace(state, field=replace(state.field, read_s=aged_s))
 
     def lets_pass(self) -> bool:
-        """Whether a little of the bench's time is to pass after all: nothing of the field was seen since a ramp."""
+        """Whether a little of the bench's time is to pass after all: the field was not seen since a ramp, or a zero."""
         thinks = time.monotonic() - self._since_s >= AGAIN_S  # who answers at once waits for nothing
-        settled_s, now = self._bench.cage.settled_s, self._bench.clock.now()
-        if not thinks or now > settled_s + SETTLED_S or self._bench.state().field.seen_nT is not None:
+        cage, now = self._bench.cage, self._bench.clock.now()
+        unseen = now <= cage.settled_s + SETTLED_S and self._bench.state().field.seen_nT is None
+        if not thinks or not (unseen or now <= cage.check.looks_until_s):
             return False
         self._since_s = time.monotonic() - AGAIN_S  # what comes now is of now
         return True

@@ -13,16 +13,19 @@ from typing import Any
 
 from labcal.bench.bench import Bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.cage import Cage
 from labcal.bench.coils.state import NOT_CONFIRMED, LabState
 from labcal.bench.named_serials import other_serials
 from labcal.bench.steps import Procedure, read_back
 from labcal.errors import InputError, InstrumentError, Stopped
 from labcal.record.stream import FAULT, NOT_KEPT, Block, Event, Item, ModeChanged, Prompt, SegmentOpened, Step
+from labcal.runner.another_dut import AnotherDut
 from labcal.runner.awaited import Awaited
 from labcal.runner.control import Aborted, Control, Left, NotKept, stopped_by
+from labcal.runner.meanwhile import Meanwhile
 from labcal.runner.prompts import Answer, checked
+from labcal.runner.read_twice import read_twice
 from labcal.runner.said_of_faults import in_a_sentence, what_else
+from labcal.runner.shifted import shifted
 
 LISTEN_S = 0.2  # while a person thinks, the streams are still written down
 SHOWN_S = 0.5  # while something takes long: how the lab is, as far as that was read
@@ -71,6 +74,8 @@ class Drive:
     _end_requested_s: float | None = field(default=None, init=False)
     _shown_s: float = field(default=0.0, init=False)  # when the lab was shown last, by the computer's monotonic clock
     _announced: str = field(default="", init=False)  # which takes long
+    _another: AnotherDut = field(default_factory=AnotherDut, init=False)
+    _meanwhile: Meanwhile = field(default_factory=Meanwhile, init=False)
     _fault_kept: str = field(default="", init=False)  # the words of the last fault in the record
 
     def run(self, procedure: Procedure) -> Ending:
@@ -120,6 +125,9 @@ class Drive:
                     item = procedure.throw(TypeError(f"a procedure yields items of a run, and {item!r} is none"))
             except StopIteration:
                 return
+            if (another := self._another.question(self.bench, item)) is not None:
+                yield another
+                self._another.take(self._reply)
             yield item
 
     def _refuse_mode(self, item: Item) -> None:
@@ -147,7 +155,8 @@ class Drive:
             self._keep_one(event, now - event.t_s)
 
     def _keep_one(self, item: Item, age_s: float = 0.0) -> None:
-        item = _later(item, self.offset_s) if self.offset_s else item
+        self._meanwhile.see(item, self.bench)
+        item = shifted(item, self.offset_s) if self.offset_s else item
         with self.zero_unless_kept():
             self.write(item)
         if isinstance(item, Event) and item.kind == FAULT:
@@ -167,6 +176,7 @@ class Drive:
     def _ask(self, prompt: Prompt) -> str:
         self.bench.handled(prompt)
         given = checked(prompt, self._answer_while_listening(prompt))
+        self._say_what_moved(answered=True)
         operator = self.bench.simulated_operator
         if operator is not None and given in (prompt.choices[:1] or (given,)):  # else nothing was done
             operator.do(prompt)
@@ -202,11 +212,17 @@ class Drive:
         stands = Awaited(self.bench) if isinstance(self.bench.clock, VirtualClock) else None
         while awaited():
             self._check()
+            self._say_what_moved()
             if stands is None or stands.lets_pass():
                 self._listen()
             else:
                 wait(LISTEN_S)
                 self.show(stands.state())
+
+    def _say_what_moved(self, *, answered: bool = False) -> None:
+        """While somebody was silent: to whoever has had hands at a plug."""
+        if (moved := self._meanwhile.over(self.bench, answered=answered)) is not None:
+            self._keep(moved)
 
     @property
     def _rests(self) -> bool:
@@ -284,11 +300,11 @@ class Drive:
             return
         self._announced = words
         with suppress(Exception):  # the way to zero goes on whoever watches
-            self.on_item(_later(self._event("slow-zero", words), self.offset_s))
+            self.on_item(shifted(self._event("slow-zero", words), self.offset_s))
 
     def _report_not_kept(self, fault: InputError | InstrumentError) -> None:
         """At once, for the last rows may be waited for; it is in the record where that can be mended."""
-        said = _later(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
+        said = shifted(self._event(NOT_KEPT, f"the run ends: {fault.what}"), self.offset_s)
         with suppress(InputError, InstrumentError):
             self.write(said)
         self.on_item(said)
@@ -346,10 +362,10 @@ class Drive:
         `lost` takes what the supplies still had to say: a coil that the guardian took to zero says so before it
         measures again.
         """
-        currents = [_measured(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
+        currents = [read_twice(self.bench.cage, axis, lost) for axis in self.bench.cage.supplies]
         if None in currents:
             self.bench.wait_for_ends()
-            currents = [_measured(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
+            currents = [read_twice(self.bench.cage, axis, []) for axis in self.bench.cage.supplies]
         self.state, self.read_at_s = self.bench.state(), self.bench.clock.now()
         if None in currents:  # what its guardian alone could read
             self.state = self.bench.state_with_ends()
@@ -374,26 +390,8 @@ def _failed(act: Callable[[], None]) -> list[Exception]:
     return []
 
 
-def _later(item: Item, by_s: float) -> Item:
-    if isinstance(item, Block):
-        return replace(item, t_s=item.t_s + by_s)
-    return replace(item, t_s=item.t_s + by_s)
-
-
 def _put_answer(answer: Answer, prompt: Prompt, answers: queue.Queue[str | BaseException]) -> None:
     try:
         answers.put(answer(prompt))
     except BaseException as fault:
         answers.put(fault)
-
-
-def _measured(cage: Cage, axis: str, lost: list[Exception]) -> float | None:
-    """The current [A], asked again after an order of zero where the first answer is a fault; None where both are."""
-    try:
-        return cage.read(axis)
-    except InstrumentError as fault:
-        lost.append(fault)
-    with suppress(InstrumentError):
-        cage.supplies[axis].set_current(0.0)
-        return cage.read(axis)
-    return None

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 import secrets
 import time
 import tomllib
 import traceback
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from datetime import datetime
 from itertools import count
 from pathlib import Path
@@ -26,14 +25,16 @@ from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
-from labcal.record.stream import NOT_KEPT, NOT_USED, REMARK, RESUMED, SLOW_DISK, Event, Item, Measurement, Step
+from labcal.record.stream import NOT_USED, REMARK, RESUMED, Event, Item, Measurement
+from labcal.runner.ambient_before import remember_ambient
 from labcal.runner.catalogue import FoundProcedure
 from labcal.runner.control import Control
 from labcal.runner.drive import CLOCK_BACK, Drive, Ending, OnItem, Show
 from labcal.runner.prompts import Answer
 from labcal.runner.resume_state import resume_state
+from labcal.runner.seen_in_run import SeenInRun
 from labcal.store import RunWriter, Store
-from labcal.store.writer import SAY_S, iso
+from labcal.store.writer import iso
 from labcal.version import __version__
 
 INTERRUPTED = "interrupted"
@@ -174,6 +175,7 @@ def resume_run(
     _report_lifted(bench, writer, at_s)
     _remark(remark, writer, at_s, on_item)
     values["resume"] = done
+    remember_ambient(bench, header, before)
     return _drive(bench, procedure, values, header.dut.serial, writer, answer, control, on_item, show, offset, before)
 
 
@@ -278,51 +280,6 @@ def _in_whose_file(procedure: FoundProcedure, ending: Ending) -> Ending:
         return ending
     error = InputError(said(ending.fault), file=procedure.source, line=lines[-1])
     return Ending(f"failed: {error}", error)
-
-
-@dataclass
-class SeenInRun:
-    """What the outcome says of a run's items, taken down while they pass on to `on_item`."""
-
-    on_item: OnItem
-    failed: dict[str, Measurement] = field(default_factory=dict)
-    energised: bool = False
-    steps: set[str] = field(default_factory=set)
-    store_told_s: float = -math.inf
-    wait_told: bool = False
-    waited_s: int = 0
-
-    def waits(self, t_s: float, waited_s: float) -> None:
-        """Tell every second that rows wait for a busy disk, and that they do no more."""
-        before, self.waited_s = self.waited_s, int(waited_s)
-        if self.waited_s > before:
-            self.on_item(Event(t_s, SLOW_DISK, f"the disk is slow: rows wait {self.waited_s} s in memory"))
-        elif before and not self.waited_s:
-            self.on_item(Event(t_s, SLOW_DISK, "the disk takes what is recorded again"))
-
-    def not_kept(self, t_s: float, fault: InstrumentError) -> None:
-        """Tell once that the end of the run waits for the store; not just after it was told that the store ended it."""
-        if not self.wait_told and time.monotonic() - self.store_told_s > SAY_S:
-            self.wait_told = True
-            self.notice(Event(t_s, NOT_KEPT, f"the end of the run waits: {fault.what}"))
-
-    def nothing_new(self, fault: BaseException, done: frozenset[str]) -> bool:
-        """Whether a run that was gone on with ended as it was: with no coil energised, or in a check of its opening."""
-        return not self.energised or (isinstance(fault, LimitNotMet) and self.steps <= done)
-
-    def notice(self, item: Item) -> None:
-        """Take down what counts of it, and hand it on."""
-        if isinstance(item, Step):
-            self.steps.add(item.name)
-        if isinstance(item, Measurement):
-            self.failed.pop(item.name, None)
-            if item.verdict == "FAIL":
-                self.failed[item.name] = item
-        if isinstance(item, Event):
-            self.energised |= item.kind == "set-point"
-            if item.kind == NOT_KEPT:
-                self.store_told_s = time.monotonic()
-        self.on_item(item)
 
 
 def _written(writer: RunWriter, ending: Ending) -> tuple[str, BaseException | None, str]:

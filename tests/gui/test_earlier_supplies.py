@@ -15,7 +15,8 @@ from labcal.gui.ipc.answers import CoilEnd, EarlierSupply, SwitchedOff
 from labcal.gui.ipc.messages import EarlierAreGone, SwitchOff
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.bench_to_do import to_do
-from labcal.gui.viewmodels.lab_now import lab_now, switched_off
+from labcal.gui.viewmodels.lab_now import lab_now
+from labcal.gui.viewmodels.lab_off import switched_off
 from labcal.gui.widgets.close_at_rest import CloseAtRest
 
 LOST = "127.0.0.1:44637: the link was lost (Connection refused)."

@@ -12,6 +12,8 @@ from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels import lab_watch
+from labcal.gui.viewmodels.lab_now import LOOK_S
 
 SUPPLIES = ("supply_x", "supply_y", "supply_z")
 LOST = Fault("instrument", "supply_z: the link was lost.", "Look at its cable.")
@@ -67,22 +69,31 @@ def test_after_a_lost_run_the_lab_is_read_until_it_is_at_zero(still):
     assert next(light for name, light, _ in app_state.lab.state.now.lights if name == "supply_z") == "ok"
 
 
-def test_a_plug_that_is_back_is_seen_and_a_platform_that_may_turn_is_looked_at(still):
+def test_a_plug_that_is_back_is_seen_and_a_platform_that_may_turn_is_looked_at(still, monkeypatch):
     app_state = still.app_state
     app_state.take_lab(
         LabState(unread(), instruments=(Heard("dut", None, "no samples"),), platform=PlatformReading(fault="silent"))
     )
     app_state.watch.look()
-    (asked,) = app_state.watch_worker.commands(ReadLab)
-    assert set(asked.names) == {"supply_x", "supply_y", "supply_z", "dut", "stage"}
-    now = time.monotonic()
+    now, asked = time.monotonic(), []
     dut = InstrumentRead("dut", "dut", "", "an RM3100", None, False, now)
-    said = (dut, InstrumentRead("stage", "platform", "", "a stage", None, False, now, angle_deg=41.0, moving=True))
-    app_state.watch_worker.answer(ReadLab, said)
+    stage = InstrumentRead("stage", "platform", "", "a stage", None, False, now, angle_deg=41.0, moving=True)
+
+    def answered():
+        while commands := app_state.watch_worker.commands(ReadLab):
+            asked.append(commands[0].names)
+            said = tuple(one for one in (dut, stage) if one.name in commands[0].names)
+            app_state.watch_worker.answer(ReadLab, said)
+
+    answered()
+    assert asked[0] == SUPPLIES
+    assert sorted(asked[1:]) == [("dut",), ("stage",)]
     assert app_state.lab.state.now.platform_words == "platform turns, at 41°"
+    asked.clear()
+    monkeypatch.setattr(lab_watch.time, "monotonic", lambda: now + LOOK_S)
     app_state.watch.look()
-    assert "dut" not in app_state.watch_worker.commands(ReadLab)[0].names
-    assert "stage" in app_state.watch_worker.commands(ReadLab)[0].names
+    answered()
+    assert asked == [SUPPLIES, ("stage",)]
 
 
 @pytest.mark.parametrize("wants", ["F12", "a run"])
@@ -164,7 +175,8 @@ def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_l
     assert app_state.watch_worker.commands(ReadLab) == []
 
 
-def test_the_headline_after_coils_off_stays_while_the_supplies_of_a_simulated_lab_are_watched(still, later):
+def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_been_read(still, later):
+    """Of a simulated lab the supplies are read on, and nobody looks at its reference: how old that is, is said."""
     app_state, live = still.app_state, still.page("Run").live
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     app_state.off.order()
@@ -174,14 +186,24 @@ def test_the_headline_after_coils_off_stays_while_the_supplies_of_a_simulated_la
         LabState(coils, Witness("agrees", "", read_s=now), platform=PlatformReading(223.0, False, now))
     )
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "failed: aborted by the operator"))
-    said = set()
-    for seconds in (0.0, 3.0, 4.0):
-        later(seconds)
+
+    def said():
         live.draw()
-        said.add((live.verdict.word.text(), live.verdict.word.property("state")))
-        app_state.take_lab(replace(app_state.known, coils=tuple(
-            replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)))  # fmt: skip
-        live.draw()
-        said.add((live.verdict.word.text(), live.verdict.word.property("state")))
-    assert len(said) == 1, said
-    assert "coils at zero" in said.pop()[0].replace("\N{NO-BREAK SPACE}", " ")
+        words = live.verdict.word.text().replace("\N{NO-BREAK SPACE}", " ")
+        return words, live.verdict._state
+
+    def read_again():
+        coils = tuple(replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)
+        app_state.take_lab(replace(app_state.known, coils=coils))
+
+    assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
+    later(3.0)
+    read_again()
+    assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
+    later(32.0)
+    read_again()
+    assert said() == ("■ COILS OFF: coils at zero, platform stands, the reference agreed 35 s ago", "")
+    later(40.0)  # nobody reads the supplies either
+    words, state = said()
+    assert state == "warning"
+    assert "(40 s ago)" in words

@@ -9,7 +9,7 @@ from test_calibration_views import LINES
 from test_path import RUN
 
 from labcal.gui.ipc.answers import FitFigures, Fitted
-from labcal.gui.ipc.messages import FitRun, Rehearse
+from labcal.gui.ipc.messages import CloseLoop, FitRun, Rehearse
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.next_step import begins_at
 from labcal.gui.viewmodels.fit_words import said_of
@@ -115,6 +115,30 @@ def test_a_fit_says_whether_it_is_good(still, studied, left_nT, stated_nT, words
     page.idle_queue.finish()
     assert (page.verdict.text(), page.verdict.property("state") or "") == (words, state)
     assert page.verdict.isVisible() == bool(words)
+
+
+@pytest.mark.parametrize(
+    ("verdict", "next_words", "button"),
+    [
+        ("", "Trace the residual.", "Trace the residual"),
+        ("explained", "The residual was traced: ✓ EXPLAINED. The loop's draft holds its cause.", "See what was found"),
+        ("ambiguous", "The residual was traced: ? AMBIGUOUS. The Loop page says what was found.", "See what was found"),
+    ],
+)
+def test_what_was_traced_is_not_to_be_traced_again(still, studied, verdict, next_words, button):
+    still.app_state.path.take_runs((replace(RUN, run_id=studied.run, verdict=verdict),))
+    still.open_page("Fit")
+    page, worker = still.page("Fit"), still.app_state.fit_worker
+    studied.fit("ml")
+    worker.answer(FitRun, fitted(20.0, 10.0))
+    page.idle_queue.finish()
+    assert page.verdict.text().startswith("ml: ▲ The map alone is not enough yet")
+    assert next_words in page.verdict.text()
+    assert page.verdict.text().count("Trace") == (0 if verdict else 1)
+    assert page.trace.text() == button
+    page.trace.click()
+    assert still.page_shown() == "Loop"
+    assert bool(worker.commands(CloseLoop)) == (not verdict)
 
 
 @pytest.mark.parametrize("left_nT", [11.0, None])

@@ -105,16 +105,16 @@ def test_an_answer_is_no_news_and_what_goes_on_is_said_without_a_loose_end(still
 def test_a_procedure_without_turns_shows_none_and_offers_no_fit(still):
     still.app_state.run.start(RunProcedure("axes-check", "bench.toml"))
     live = still.page("Run").live
-    assert not any(part.isVisible() for part in (live.steps, live.lights, live.loci, live.coverage))
+    assert not any(part.isVisible() for part in (live.steps, live.lights, live.loci, live.turn.bar))
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
     assert (live.fit.isVisible(), live.close_run.isVisible()) == (False, True)
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "x+20uT-nominal", "closing"), 20.0))
     assert all(part.isVisible() for part in (live.steps, live.lights))
     assert not live.loci.isVisible()  # three empty circles: nothing turns yet
-    assert not live.coverage.isVisible()  # of which axis?
+    assert not live.turn.bar.isVisible()  # of which axis?
     send(still, Step(20.0, 2, 3, "x+20uT-nominal", 40.0, (), 20.0))
-    assert live.coverage.isVisible()
+    assert live.turn.bar.isVisible()
     assert live.loci.isVisible()
 
 
@@ -125,7 +125,7 @@ def test_what_stands_still_at_many_angles_has_no_lights_of_turns(still):
     send(still, SegmentOpened(21.0, Segment("position-1", "rotation")))
     live = still.page("Run").live
     live.draw()
-    assert (live.loci.isVisible(), live.lights.isVisible(), live.coverage.isVisible()) == (True, False, False)
+    assert (live.loci.isVisible(), live.lights.isVisible(), live.turn.bar.isVisible()) == (True, False, False)
     assert live.headline.text() == "Hands off · 39 s simulated · position 1"
 
 
@@ -134,9 +134,9 @@ def test_a_dut_at_rest_has_no_circle_and_no_lights_of_turns(still):
     live = still.page("Run").live
     send(still, Step(0.0, 1, 2, "zero", 60.0, ("zero", "shell-50"), 20.0), SegmentOpened(1.0, Segment("p1", "static")))
     assert (live.loci.isVisible(), live.steps.isVisible()) == (True, True)
-    assert not any(part.isVisible() for part in (live.lights, live.coverage, live.covered))
+    assert not any(part.isVisible() for part in (live.lights, live.turn.bar, live.turn.words))
     send(still, SegmentOpened(2.0, Segment("x-2dps-there", "rotation")))  # one that no step names
-    assert all(part.isVisible() for part in (live.lights, live.coverage, live.covered))
+    assert all(part.isVisible() for part in (live.lights, live.turn.bar, live.turn.words))
     still.app_state.run.forget()
     assert not still.app_state.run.turns()
 

@@ -222,12 +222,12 @@ def test_a_refused_go_on_leaves_the_steps_the_bar_and_what_was_drawn_as_they_wer
     worker.items.emit((Measurement(171.0, f"{turn.id}: missing sectors", 6.0, 0.0, "", 0.0), replace(begun, t_s=171.0)))
     assert (run.axis, live.turn.isVisible()) == ("", False)  # of no axis: no share of a circle is told
     assert len(run.drawn.rows(earlier=True)) == 1
+    worker.items.emit((Step(180.0, 2, 3, "mount-x", 90.0, (), 60.0, whole_s=100.0),))
+    assert (live.turn.words.text(), live.turn.isVisible()) == ("X:  75 % of the circle", True)
     worker.items.emit((Step(181.0, 2, 3, turn.id, 90.0, (), 60.0, whole_s=100.0),))
-    live.draw()
-    assert (live.covered.text(), live.turn.isVisible()) == ("X:  75 % of the circle", True)
-    worker.items.emit((SegmentOpened(182.0, turn),))
-    live.draw()
-    assert live.covered.text() == "X, this turn:   0 % of the circle"
+    for opened in ((), (SegmentOpened(182.0, turn),)):  # on the way to its field it is this turn already
+        worker.items.emit(opened)
+        assert (live.turn.words.text(), live.turn.bar.value()) == ("X, this turn:   0 % of the circle", 0)
     assert len(run.drawn.rows(earlier=True)) == 0  # it is measured again
 
 

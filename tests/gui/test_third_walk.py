@@ -65,7 +65,7 @@ def test_a_turn_that_is_tried_again_begins_with_an_empty_circle(still):
     assert run.coverage() == 0
     assert "x+20uT" not in run.drawn.now
     card = still.page("Run").live.prompt
-    assert "Skipped, it is missing" in card.hint.text()
+    assert "Skipped, it is missing, and this run does not come back to it" in card.hint.text()  # before it is pressed
 
 
 def test_a_traceback_is_said_to_be_for_others(qtbot):

@@ -86,3 +86,14 @@ def test_a_tiny_translation_changes_one_word_of_the_window(qapp, qtbot, tmp_path
         for translator in added:  # Qt's own of the language is among them
             qapp.removeTranslator(translator)
         QLocale.setDefault(before_that)
+
+
+@pytest.mark.parametrize("language", ["de", "fr"])
+def test_putting_a_card_away_has_one_word(language):
+    """Its button was "Ablegen" on one card and "Schließen" on others, and the sentences named either."""
+    text = (Path(translate.__file__).parent / f"labcal_{language}.ts").read_text(encoding="utf-8")
+    pairs = re.findall(r"<source>([^<]*)</source>\s*<translation>([^<]*)</translation>", text)
+    [word] = {said for source, said in pairs if source == "Close"}
+    named = [(source, said) for source, said in pairs if re.search(r"\bClose, |\bPut (it|this \w+) away", source)]
+    assert len(named) >= 6
+    assert [pair for pair in named if word.lower() not in pair[1].lower()] == []

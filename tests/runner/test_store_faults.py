@@ -27,7 +27,7 @@ from labcal.record.stream import NOT_KEPT, SLOW_DISK, Block, Event, Item
 from labcal.runner import Outcome, find, run_procedure, yes_to_all
 from labcal.runner.control import NotKept
 from labcal.runner.drive import Drive
-from labcal.runner.run import SeenInRun
+from labcal.runner.seen_in_run import SeenInRun
 from labcal.store import RunWriter, Store, live, writer
 
 BenchFile = Callable[..., Path]

@@ -8,6 +8,8 @@ While hands mount, the ambient field of before them judges a zero alone, by what
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -68,6 +70,13 @@ class FieldCheck:
         return settled_for_s < (NO_SAMPLE_S if self._bad_s is None else PERSISTS_S + NO_SAMPLE_S)
 
     @property
+    def looks_until_s(self) -> float:
+        """Up to when a zero that something is known to compare with may still be seen by what the reference sends."""
+        known = self._ambient is not None or self._before is not None
+        open_ = self.witness.verdict == "not known" and self.witness.read_s is None
+        return self._settled_s + NO_SAMPLE_S if known and open_ and self.streaming and self.zero_expected else -math.inf
+
+    @property
     def zero_expected(self) -> bool:
         """Whether the coils are said to be at zero."""
         return self._currents_A is not None and not self._currents_A.any()
@@ -83,6 +92,13 @@ class FieldCheck:
         self._elsewhere = False
         if self.witness.verdict == "not known":
             self.witness = Witness(why=self._why_not())
+
+    def remember(self, before: BeforeHands) -> None:
+        """What an earlier stretch of a run had measured, where nothing else is known: hands were at the DUT since."""
+        if self._ambient is None and self._before is None:
+            self._had_ambient, self._before = True, before
+            if self.witness.verdict == "not known":
+                self.witness = Witness(why=self._why_not())
 
     def outdated(self, now_s: float, *, reference_moved: bool = False, by_hands: bool = False) -> None:
         """The DUT is mounted anew, or its surroundings are not what they were: the ambient field is not known.

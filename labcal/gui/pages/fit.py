@@ -132,7 +132,7 @@ class FitPage(QWidget):
 
     def _trace(self) -> None:
         self._app_state.page_requested.emit("Loop")
-        if self._study.loop is None:
+        if not self._app_state.path.traced(self._study.run):
             self._study.close_loop()
 
     def _draft(self) -> None:
@@ -165,9 +165,11 @@ class FitPage(QWidget):
         self.fit.setEnabled(ready and "ml" not in study.fits)
         self.all.setEnabled(ready and bool(study.methods))
         self.draft.setEnabled(study.best() is not None and not refused)
+        traced = self._app_state.path.traced(study.run)
+        self.trace.setText(self.tr("See what was found") if traced else self.tr("Trace the residual"))
         self.trace.setEnabled(ready and not study.no_fit)
         set_primary(self.fit, "ml" not in study.fits)
-        set_primary(self.trace, "ml" in study.fits and study.loop is None and not study.no_fit)
+        set_primary(self.trace, "ml" in study.fits and not traced and not study.no_fit)
         self.empty.setVisible(not study.fits)
         self.table.setVisible(bool(study.fits))
         self.idle_queue.add(self._show_fits, self._show_pictures)
@@ -221,7 +223,7 @@ class FitPage(QWidget):
 
     def _show_pictures(self) -> None:
         method = self.method() or ""
-        words, state = said_of(method, self._study.fits.get(method))
+        words, state = said_of(method, self._study.fits.get(method), self._app_state.path.traced(self._study.run))
         self.verdict.setText(words)
         self.verdict.setVisible(bool(words))
         set_state(self.verdict, state)

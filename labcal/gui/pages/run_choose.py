@@ -158,7 +158,9 @@ class Choose(QWidget):
         broken = None if app_state.run.alive else app_state.path.unfinished()
         self.unfinished.setVisible(broken is not None)
         self.go_on.setEnabled(not app_state.objection())
-        set_primary(self.start, broken is None)
+        resumes = broken is not None and app_state.path.next().resumes == broken  # else Next has another run in mind
+        set_primary(self.start, not resumes)
+        set_primary(self.go_on, resumes)
         if broken is not None:
             self.which.setText(run_title(broken))
             self.go_on.setText(self.tr("Go on with {0}").format(broken.dut_serial))

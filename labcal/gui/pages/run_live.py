@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QProgressBar, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import BROKEN, Fault
@@ -14,7 +14,6 @@ from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.lost_since import LostSince
-from labcal.gui.viewmodels.number_format import FIGURE_SPACE
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
@@ -22,6 +21,7 @@ from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, wha
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary
+from labcal.gui.widgets.covered_bar import CoveredBar
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.headline import RunHeadline
@@ -168,15 +168,7 @@ class Live(QWidget):
         card = Card()
         self.headline = RunHeadline(self._theme)
         self.hands = PausedHands()
-        self.coverage = QProgressBar()
-        self.coverage.setTextVisible(False)
-        self.covered = label("", "caption")
-        self.coverage.setToolTip(self.tr("How much of the circle the turn about this axis has seen, in sectors of 15°"))
-        self.turn = QWidget()
-        row = QHBoxLayout(self.turn)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.covered)
-        row.addWidget(self.coverage, 1)
+        self.turn = CoveredBar()
         card.body.addWidget(self.headline)
         card.body.addWidget(self.hands)
         card.body.addWidget(self.loci, 3)
@@ -243,11 +235,11 @@ class Live(QWidget):
                 (self.go_on, again),
                 (self.fit, ended and turned and run.status == "finished"),
                 (self.lights, run.looks_at_axes() and not decided),
-                (self.turn, bool(run.axis) and run.turns() and not ended),
                 (self.steps, bool(run.names)),
                 (self.loci, turned and self._something_turns()),
             ):
                 widget.setVisible(shown)
+            self.turn.show_run(run)
         fits = turned and to_be_fitted(run)
         set_primary(self.close_run, not again and not fits)
         set_primary(self.fit, fits)
@@ -382,10 +374,7 @@ class Live(QWidget):
         run = self._run
         self.time_left.show_now(self._app_state.lab.state.now)
         self._say_now()
-        percent = round(100 * run.coverage())
-        self.coverage.setValue(percent)
-        words = self.tr("{0}, this turn: {1} % of the circle") if run.segment else self.tr("{0}: {1} % of the circle")
-        self.covered.setText(words.format(run.axis.upper(), f"{percent:3d}".replace(" ", FIGURE_SPACE)))
+        self.turn.show_run(run)
         rows = run.dut.rows()
         self._ticks += 1
         if len(rows) != self._drawn or not run.alive or len(rows) >= 10_000:

@@ -46,7 +46,7 @@ class StartPage(QWidget):
         super().__init__()
         self._app_state = app_state
         self._cage_check: Checked | None = None
-        self._to_go_on_with: list[tuple[str, QPushButton]] = []  # serial, button
+        self._to_go_on_with: list[tuple[RunLine, QPushButton]] = []  # run, button
         self.again = QTimer(self, interval=AGAIN_MS, singleShot=True)
         self.again.timeout.connect(lambda: self.refresh() if self.isVisible() else None)
         column = QVBoxLayout(self)
@@ -194,7 +194,7 @@ class StartPage(QWidget):
     def _broken_off(self) -> str:
         """A run of the DUT at the top that is to be gone on with comes before another one."""
         here = self._app_state.lab.state.dut_serial
-        if here not in (serial for serial, _ in self._to_go_on_with):
+        if here not in (one.dut_serial for one, _ in self._to_go_on_with):
             return ""
         return self.tr("▲ A run of {0} did not come to its end: go on with it below, or measure anew.").format(here)
 
@@ -339,16 +339,16 @@ class StartPage(QWidget):
             again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
             again.setEnabled(self._app_state.facts is not None)
             self.interrupted.body.addWidget(again)
-            self._to_go_on_with.append((one.dut_serial, again))
+            self._to_go_on_with.append((one, again))
         self._point()
 
     def _point(self) -> None:
-        """The run of this DUT that broke off is the one thing to do, where there is one."""
-        mine = [serial == self._app_state.lab.state.dut_serial for serial, _ in self._to_go_on_with]
+        """The one thing to do, as Next says it: of runs that broke off that which it goes on with."""
+        to, known = self._app_state.path.next(), self._app_state.facts is not None
+        mine = [to.resumes is not None and one.run_id == to.resumes.run_id for one, _ in self._to_go_on_with]
         mended = not self._app_state.lab.state.now.to_be_mended
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first and mended)
-        to, known = self._app_state.path.next(), self._app_state.facts is not None
         begins = to.page in ("Run", "Start")
         self.to_do.setText(to.words)
         self.go_on.setText(self.tr("Open {0}").format(translated(to.page)))

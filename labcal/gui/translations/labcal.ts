@@ -787,6 +787,21 @@
     </message>
 </context>
 <context>
+    <name>CoveredBar</name>
+    <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>coils at zero</source>
@@ -4305,6 +4320,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} names itself {1}, and bench.toml states {2}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4318,6 +4341,18 @@
     </message>
     <message>
         <source>{0}: it answers again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>after the silence: ambient field {0} nT before, {1} nT now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5952,6 +5987,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>See what was found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Fit works it out again: figures and pictures side by side.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6449,10 +6488,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6462,14 +6497,6 @@
     </message>
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}, this turn: {1} % of the circle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}: {1} % of the circle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7207,6 +7234,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7216,10 +7247,6 @@ after this step …</source>
     </message>
     <message>
         <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9483,7 +9510,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The Loop page says what was found.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9672,6 +9711,10 @@ after this step …</source>
     </message>
     <message>
         <source>{0} COILS OFF: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference agreed {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9880,6 +9923,10 @@ after this step …</source>
     </message>
     <message>
         <source>cannot be shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} · run of {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

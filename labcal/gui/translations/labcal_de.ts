@@ -787,6 +787,21 @@
     </message>
 </context>
 <context>
+    <name>CoveredBar</name>
+    <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Wie viel des Kreises die Drehung um diese Achse gesehen hat, in Sektoren von 15°</translation>
+    </message>
+    <message>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, diese Drehung: {1} % des Kreises</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0}: {1} % des Kreises</translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>coils at zero</source>
@@ -4305,6 +4320,14 @@
         <translation>{0} nennt sich {1}, und diese Messung ist von {2}</translation>
     </message>
     <message>
+        <source>{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?</source>
+        <translation>{0} nennt sich {1}, und diese Messung ist von {2}. Trotzdem als {3} messen?</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.</source>
+        <translation>{0} nennt sich {1}, und diese Messung ist von {2}: nichts wurde gemessen. Sagen, welcher Prüfling es ist, und neu beginnen.</translation>
+    </message>
+    <message>
         <source>{0} names itself {1}, and bench.toml states {2}</source>
         <translation>{0} nennt sich {1}, und bench.toml gibt {2} an</translation>
     </message>
@@ -4319,6 +4342,18 @@
     <message>
         <source>{0}: it answers again</source>
         <translation>{0}: antwortet wieder</translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
+        <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°; Umgebungsfeld vorher {2} nT, jetzt {3} nT</translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now</source>
+        <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°</translation>
+    </message>
+    <message>
+        <source>after the silence: ambient field {0} nT before, {1} nT now</source>
+        <translation>nach der Stille: Umgebungsfeld vorher {0} nT, jetzt {1} nT</translation>
     </message>
     <message>
         <source>the end of the run waits: {0}</source>
@@ -5882,7 +5917,7 @@
     </message>
     <message>
         <source>Put this card away</source>
-        <translation>Diese Karte weglegen</translation>
+        <translation>Diese Karte schließen</translation>
     </message>
     <message>
         <source>For who mends labcal; a problem report holds it:</source>
@@ -5966,6 +6001,10 @@
     <message>
         <source>computing: {0}</source>
         <translation>rechnet: {0}</translation>
+    </message>
+    <message>
+        <source>See what was found</source>
+        <translation>Ergebnis ansehen</translation>
     </message>
     <message>
         <source>Fit works it out again: figures and pictures side by side.</source>
@@ -6375,7 +6414,7 @@
     </message>
     <message>
         <source>Put this sheet away (Esc)</source>
-        <translation>Dieses Blatt weglegen (Esc)</translation>
+        <translation>Dieses Blatt schließen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -6450,7 +6489,7 @@
     </message>
     <message>
         <source>Close</source>
-        <translation>Ablegen</translation>
+        <translation>Schließen</translation>
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
@@ -6473,20 +6512,12 @@
         <translation>wie eingebaut</translation>
     </message>
     <message>
-        <source>{0}, this turn: {1} % of the circle</source>
-        <translation>{0}, diese Drehung: {1} % des Kreises</translation>
-    </message>
-    <message>
-        <source>{0}: {1} % of the circle</source>
-        <translation>{0}: {1} % des Kreises</translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation>Hier ist das „Weiter“: Was fertig ist, bleibt.</translation>
     </message>
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
-        <translation>Diese Messung ist zu Ende: „Ablegen“, dann misst „Beginnen“ von vorn.</translation>
+        <translation>Diese Messung ist zu Ende: „Schließen“, dann misst „Beginnen“ von vorn.</translation>
     </message>
     <message>
         <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
@@ -6497,10 +6528,6 @@
         <translation>Weiter</translation>
     </message>
     <message>
-        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
-        <translation>Wie viel des Kreises die Drehung um diese Achse gesehen hat, in Sektoren von 15°</translation>
-    </message>
-    <message>
         <source>Pausing
 after this step …</source>
         <translation>Pause nach
@@ -6508,7 +6535,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
-        <translation>Gemessenes bleibt im Verlauf. Neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Gemessenes bleibt im Verlauf. Neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>{0} Or Close, and begin anew.</source>
@@ -7208,6 +7235,10 @@ diesem Schritt …</translation>
         <translation>Jedes Gerät antwortet wieder.</translation>
     </message>
     <message>
+        <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Übersprungen fehlt es, und diese Messung kommt nicht darauf zurück; nur „Achse neu“, wo das beim nächsten Einbau angeboten wird, dreht seine Achse noch einmal. Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
     </message>
@@ -7218,10 +7249,6 @@ diesem Schritt …</translation>
     <message>
         <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
         <translation>Knopf oder Taste halten, bis er voll ist. Enter tut hier nichts.</translation>
-    </message>
-    <message>
-        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
-        <translation>Übersprungen fehlt es: Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
@@ -7533,7 +7560,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Put it away</source>
-        <translation>Weglegen</translation>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -9261,7 +9288,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Begin.</source>
-        <translation>Gemessenes bleibt. Neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Gemessenes bleibt. Neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.</source>
@@ -9269,7 +9296,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
-        <translation>Oben Genanntes beheben, dann neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Oben Genanntes beheben, dann neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
@@ -9329,7 +9356,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation>Neu messen: Ablegen, dann Beginnen.</translation>
+        <translation>Neu messen: Schließen, dann Beginnen.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
@@ -9484,8 +9511,20 @@ diesem Schritt …</translation>
         <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT. Den Rest erklären.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT.</translation>
+    </message>
+    <message>
+        <source>Trace the residual.</source>
+        <translation>Den Rest erklären.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The Loop page says what was found.</source>
+        <translation>Der Rest wurde untersucht: {0}. Was gefunden wurde, steht auf der Seite Ursachen.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
+        <translation>Der Rest wurde untersucht: {0}. Die Ursache steht im Entwurf, den die Seite Ursachen gemacht hat.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -9674,6 +9713,10 @@ diesem Schritt …</translation>
     <message>
         <source>{0} COILS OFF: {1}</source>
         <translation>{0} SPULEN AUS: {1}</translation>
+    </message>
+    <message>
+        <source>the reference agreed {0}</source>
+        <translation>die Referenz stimmte {0} zu</translation>
     </message>
     <message>
         <source>platform stands</source>
@@ -9882,6 +9925,10 @@ diesem Schritt …</translation>
     <message>
         <source>cannot be shown</source>
         <translation>kann nicht angezeigt werden</translation>
+    </message>
+    <message>
+        <source>{0} · run of {1}</source>
+        <translation>{0} · Messung vom {1}</translation>
     </message>
 </context>
 <context>

@@ -787,6 +787,21 @@
     </message>
 </context>
 <context>
+    <name>CoveredBar</name>
+    <message>
+        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
+        <translation>Part du cercle vue par le tour autour de cet axe, en secteurs de 15°</translation>
+    </message>
+    <message>
+        <source>{0}, this turn: {1} % of the circle</source>
+        <translation>{0}, ce tour : {1} % du cercle</translation>
+    </message>
+    <message>
+        <source>{0}: {1} % of the circle</source>
+        <translation>{0} : {1} % du cercle</translation>
+    </message>
+</context>
+<context>
     <name>Data</name>
     <message>
         <source>coils at zero</source>
@@ -4305,6 +4320,14 @@
         <translation>{0} se nomme {1}, et cette mesure est de {2}</translation>
     </message>
     <message>
+        <source>{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?</source>
+        <translation>{0} se nomme {1}, et cette mesure est de {2}. Le mesurer quand même comme {3} ?</translation>
+    </message>
+    <message>
+        <source>{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.</source>
+        <translation>{0} se nomme {1}, et cette mesure est de {2} : rien n&apos;a été mesuré. Dire de quel capteur il s&apos;agit, et recommencer.</translation>
+    </message>
+    <message>
         <source>{0} names itself {1}, and bench.toml states {2}</source>
         <translation>{0} se nomme {1}, et bench.toml indique {2}</translation>
     </message>
@@ -4319,6 +4342,18 @@
     <message>
         <source>{0}: it answers again</source>
         <translation>{0} : répond de nouveau</translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
+        <translation>après le silence : plateforme {0}° avant, {1}° maintenant ; champ ambiant {2} nT avant, {3} nT maintenant</translation>
+    </message>
+    <message>
+        <source>after the silence: platform {0}° before, {1}° now</source>
+        <translation>après le silence : plateforme {0}° avant, {1}° maintenant</translation>
+    </message>
+    <message>
+        <source>after the silence: ambient field {0} nT before, {1} nT now</source>
+        <translation>après le silence : champ ambiant {0} nT avant, {1} nT maintenant</translation>
     </message>
     <message>
         <source>the end of the run waits: {0}</source>
@@ -5882,7 +5917,7 @@
     </message>
     <message>
         <source>Put this card away</source>
-        <translation>Ranger cette carte</translation>
+        <translation>Fermer cette carte</translation>
     </message>
     <message>
         <source>For who mends labcal; a problem report holds it:</source>
@@ -5966,6 +6001,10 @@
     <message>
         <source>computing: {0}</source>
         <translation>calcul : {0}</translation>
+    </message>
+    <message>
+        <source>See what was found</source>
+        <translation>Voir le résultat</translation>
     </message>
     <message>
         <source>Fit works it out again: figures and pictures side by side.</source>
@@ -6375,7 +6414,7 @@
     </message>
     <message>
         <source>Put this sheet away (Esc)</source>
-        <translation>Ranger cette feuille (Échap)</translation>
+        <translation>Fermer cette feuille (Échap)</translation>
     </message>
 </context>
 <context>
@@ -6473,14 +6512,6 @@
         <translation>tel que monté</translation>
     </message>
     <message>
-        <source>{0}, this turn: {1} % of the circle</source>
-        <translation>{0}, ce tour : {1} % du cercle</translation>
-    </message>
-    <message>
-        <source>{0}: {1} % of the circle</source>
-        <translation>{0} : {1} % du cercle</translation>
-    </message>
-    <message>
         <source>Here that is Go on: what was finished is kept.</source>
         <translation>Ici, c&apos;est « Continuer » : ce qui est terminé est gardé.</translation>
     </message>
@@ -6495,10 +6526,6 @@
     <message>
         <source>Go on</source>
         <translation>Continuer</translation>
-    </message>
-    <message>
-        <source>How much of the circle the turn about this axis has seen, in sectors of 15°</source>
-        <translation>Part du cercle vue par le tour autour de cet axe, en secteurs de 15°</translation>
     </message>
     <message>
         <source>Pausing
@@ -7208,6 +7235,10 @@ cette étape …</translation>
         <translation>Chaque instrument répond de nouveau.</translation>
     </message>
     <message>
+        <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation>Sautée, elle manque, et cette mesure n&apos;y revient pas ; seul « Refaire l&apos;axe », s&apos;il est proposé au montage suivant, refait tourner son axe. Le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
     </message>
@@ -7218,10 +7249,6 @@ cette étape …</translation>
     <message>
         <source>Hold the button, or its key, until it is full. Enter does nothing here.</source>
         <translation>Maintenir le bouton, ou sa touche, jusqu’à ce qu’il soit plein. Entrée ne fait rien ici.</translation>
-    </message>
-    <message>
-        <source>Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell.</source>
-        <translation>Sautée, elle manque : le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
@@ -7533,7 +7560,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>Put it away</source>
-        <translation>Ranger</translation>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -9484,8 +9511,20 @@ cette étape …</translation>
         <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré de |b| d&apos;une lecture, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT. Trace the residual.</source>
-        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT. Expliquer le résidu.</translation>
+        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT.</translation>
+    </message>
+    <message>
+        <source>Trace the residual.</source>
+        <translation>Expliquer le résidu.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The Loop page says what was found.</source>
+        <translation>Le résidu a été examiné : {0}. La page Causes dit ce qui a été trouvé.</translation>
+    </message>
+    <message>
+        <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
+        <translation>Le résidu a été examiné : {0}. Sa cause est dans le projet fait par la page Causes.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
@@ -9674,6 +9713,10 @@ cette étape …</translation>
     <message>
         <source>{0} COILS OFF: {1}</source>
         <translation>{0} BOBINES À ZÉRO : {1}</translation>
+    </message>
+    <message>
+        <source>the reference agreed {0}</source>
+        <translation>la référence concordait {0}</translation>
     </message>
     <message>
         <source>platform stands</source>
@@ -9882,6 +9925,10 @@ cette étape …</translation>
     <message>
         <source>cannot be shown</source>
         <translation>ne peut être affiché</translation>
+    </message>
+    <message>
+        <source>{0} · run of {1}</source>
+        <translation>{0} · mesure du {1}</translation>
     </message>
 </context>
 <context>

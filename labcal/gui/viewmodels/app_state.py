@@ -28,7 +28,7 @@ from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
-from labcal.gui.viewmodels.known_lab import KnownLab
+from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import reference_U
 from labcal.gui.viewmodels.lab_there import lab_there, platform_there
@@ -77,7 +77,8 @@ class AppState(QObject):
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
         looks = self.watch_worker = Client(self)
-        self.watch = LabWatch(looks, self.lab, self._may_be_read, self._to_be_read, self._take_read)
+        self.watch = LabWatch(looks, self.lab, self._may_be_read, lambda: self.off.to_be_read(), self._take_read,
+                              lambda: supplies(self.facts).values())  # fmt: skip
         self.one_dut = OneDut(self.settings, self.lab, self.run, (self.study_vm, self.path, self.scan_vm))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
@@ -95,7 +96,8 @@ class AppState(QObject):
         self.age_timer = QTimer(self, interval=AGES_MS)
         self.age_timer.timeout.connect(self.grow_old)
         self.age_timer.start()
-        self.off, self.left = CoilsOff(self), LeftWithoutEnd(self)
+        self.off: CoilsOff = CoilsOff(self)
+        self.left = LeftWithoutEnd(self)
         self.left.changed.connect(lambda: self.grow_old())
         self.force_timer = self.off.force_timer
         self.run.changed.connect(self._update_run)
@@ -182,13 +184,6 @@ class AppState(QObject):
         self.take_lab(known if simulated else seconded(known, said, *ambient))
         if self.off.unconfirmed is not None:
             self.off.look_again()
-
-    def _to_be_read(self) -> tuple[str, ...]:
-        """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
-        coils = () if self.known is None else self.known.coils
-        read = self.left.unconfirmed.left or any(coil.read_s is not None for coil in coils)
-        tell = self.off.tellers() if read and not self.left.objection() else ()  # another process drives it
-        return tuple(dict.fromkeys((*lab_heard.wrong(self.known, self.facts), *tell)))
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""
@@ -356,7 +351,7 @@ class AppState(QObject):
 
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
-        known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive)
+        known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive, by_s=self.watch.round.by_s)
         now = self.off.earlier.seen_in(self.watch.seen_in(self.left.seen_in(known)))
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
         self.lab.update(**self._at_hands())

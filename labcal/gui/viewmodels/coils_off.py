@@ -21,9 +21,11 @@ from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_heard import looked_at, named_before
-from labcal.gui.viewmodels.lab_now import mark_of, off_words, platform_mark, platform_said, switched_off
+from labcal.gui.viewmodels.lab_heard import looked_at, named_before, wrong
+from labcal.gui.viewmodels.lab_now import mark_of, off_words, platform_mark, platform_said
+from labcal.gui.viewmodels.lab_off import switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
+from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
 from labcal.gui.viewmodels.run import RunViewModel
 
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
@@ -41,6 +43,7 @@ class KnowsLab(Protocol):
     run: RunViewModel
     kept: KnownLab
     watch: LabWatch
+    left: LeftWithoutEnd
     bench_worker: Client
     off_worker: Client
 
@@ -156,6 +159,14 @@ class CoilsOff(QObject):
         roles = READ_AFTER[:1] if facts is not None and facts.virtual_time else READ_AFTER
         instruments = {} if facts is None else facts.instruments
         return tuple(name for name, one in instruments.items() if one.role.startswith(roles))
+
+    def to_be_read(self) -> tuple[str, ...]:
+        """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
+        window = self._window
+        coils = () if window.known is None else window.known.coils
+        read = window.left.unconfirmed.left or any(coil.read_s is not None for coil in coils)
+        tell = self.tellers() if read and not window.left.objection() else ()  # another process drives it
+        return tuple(dict.fromkeys((*wrong(window.known, window.facts), *tell)))
 
     def look_again(self) -> None:
         """A doubt that is older than the zero that was read back by now: the reference is asked anew, once."""

@@ -14,6 +14,7 @@ from labcal.gui.ipc.answers import Fitted
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import RESULTS, verdict
+from labcal.gui.viewmodels.loop_words import verdict_word
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number
 from labcal.uncertainty.conformity import Judged
 
@@ -39,6 +40,7 @@ SET_ASIDE = (
     QT_TRANSLATE_NOOP("Words", "Without a result: {0}."),
 )
 LISTED = 2  # lines of the specification that are not within their limits; the others are counted
+EXPLAINED = "explained"
 REACHED = 1.15  # of the noise: as the loop calls a run clean
 GOOD = QT_TRANSLATE_NOOP(
     "Words",
@@ -48,8 +50,11 @@ GOOD = QT_TRANSLATE_NOOP(
 DOUBT = QT_TRANSLATE_NOOP(
     "Words",
     "▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
-    "the noise that is stated of |b| in one reading is {1} nT. Trace the residual.",
+    "the noise that is stated of |b| in one reading is {1} nT.",
 )
+TRACE = QT_TRANSLATE_NOOP("Words", "Trace the residual.")
+TRACED = QT_TRANSLATE_NOOP("Words", "The residual was traced: {0}. The Loop page says what was found.")
+IN_THE_DRAFT = QT_TRANSLATE_NOOP("Words", "The residual was traced: {0}. The loop's draft holds its cause.")
 LEFT_OPEN = QT_TRANSLATE_NOOP(
     "Words",
     "▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no "
@@ -82,30 +87,40 @@ def set_aside_words(fits: Mapping[str, Fitted], method: str) -> str:
     return (known if method else alone).format(without, method) if without else ""
 
 
-def said_of(method: str, fitted: Fitted | None) -> tuple[str, str]:
-    """What there is to say of the fit by `method`, and the worst of its states; "" where nothing is known."""
+def said_of(method: str, fitted: Fitted | None, traced: str = "") -> tuple[str, str]:
+    """What there is to say of the fit by `method`, and the worst of its states; "" where nothing is known.
+
+    `traced`: the loop's verdict on this run; "" where there is none yet.
+    """
     left = None if fitted is None else fitted.fit.holdout_rms_scalar_nT
     if fitted is None or (left is None and not fitted.left_open):
         return "", ""
-    said = (_by_what_is_left(fitted), _by_the_specification(fitted.specification))
+    said = (_by_what_is_left(fitted, traced), _by_the_specification(fitted.specification))
     between = "\n" if fitted.specification else " "
     return f"{method}: " + between.join(words for words, _ in said), max((state for _, state in said), key=STATES.index)
 
 
-def _by_what_is_left(fitted: Fitted) -> tuple[str, str]:
+def _by_what_is_left(fitted: Fitted, traced: str) -> tuple[str, str]:
     """Nothing that is left over is small enough where the map itself is open."""
     if fitted.left_open:
         return translated(str(LEFT_OPEN)).format(in_words(fitted.left_open)), "warning"
-    return _by_the_noise(fitted.fit.holdout_rms_scalar_nT or 0.0, fitted.stated_nT)
+    return _by_the_noise(fitted.fit.holdout_rms_scalar_nT or 0.0, fitted.stated_nT, traced)
 
 
-def _by_the_noise(left_nT: float, stated_nT: float | None) -> tuple[str, str]:
+def _by_the_noise(left_nT: float, stated_nT: float | None, traced: str) -> tuple[str, str]:
     shown = format_number(left_nT, signed=False)
     if stated_nT is None:
         return translated(str(NO_NOISE)).format(shown), ""
     good = left_nT <= REACHED * stated_nT
     words = translated(str(GOOD if good else DOUBT)).format(shown, format_number(stated_nT, signed=False))
-    return words, "good" if good else "warning"
+    return (words, "good") if good else (f"{words} {_what_is_next(traced)}", "warning")
+
+
+def _what_is_next(traced: str) -> str:
+    """Of what the map leaves over: nobody is sent to do again what was done."""
+    if not traced:
+        return translated(str(TRACE))
+    return translated(str(IN_THE_DRAFT if traced == EXPLAINED else TRACED)).format(verdict_word(traced))
 
 
 def _by_the_specification(lines: Sequence[Judged]) -> tuple[str, str]:

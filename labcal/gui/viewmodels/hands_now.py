@@ -11,7 +11,7 @@ from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import sees_more
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, as_watched, platform_mark
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, as_watched, platform_mark, watched_age_s
 
 ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
 MAY = "good", ALONE  # the states of a yes
@@ -102,7 +102,9 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
-    age_s = max(now.coil_old_s or 0, now.platform_old_s or 0)
+    age_s = watched_age_s(now)
+    if zero and now.coils_late:
+        return hands_words(state.WAS_ZERO, now.platform_words)
     if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
         return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
     watched = as_watched(now)

@@ -5,6 +5,7 @@ Times are by the computer's monotonic clock.
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from labcal.bench.coils import state
@@ -102,12 +103,12 @@ class KnownLab:
             return self.state
         return replace(self.state or state.LabState(()), coils=state.unread(), field=state.FieldReading())
 
-    def now(self, facts: Bench | None, now_s: float, *, driven: bool) -> LabNow:
-        """What may be said at `now_s`; `driven`: by a run of this window."""
+    def now(self, facts: Bench | None, now_s: float, *, driven: bool, by_s: float = math.inf) -> LabNow:
+        """What may be said at `now_s`; `driven`: by a run of this window. `by_s`: else coils are read again so soon."""
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
         known = self.as_now(facts, now_s)
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
-        now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run)
+        now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts))
         now = replace(now, field_more_nT=None if known is None else more_than_off(known, facts))
         if known is not None:
@@ -123,18 +124,18 @@ class KnownLab:
 
         Where the reference sees a field that the supplies do not own to, those that could make it.
         """
-        supplies = {} if facts is None else _supplies(facts)
+        named = supplies(facts)
         known = self.missed() if self.late(facts, now_s) else self.state
         if known is None:
-            return tuple(supplies.values())
+            return tuple(named.values())
         on = {coil.axis for coil in known.coils if not coil.zero}
         lost = {coil.axis for coil in known.coils if coil.fault and coil.fault != UNANSWERED}
         if lost and self.ordered_s is not None and now_s - self.ordered_s < LOST_FIRST_S:
             on = lost  # the others were ordered to zero as well, and nothing says that they are not
         if known.reference.verdict == "disagrees":
-            named = {axis for axis, name in supplies.items() if name in known.reference.advice}
-            on = on | named or set(supplies)
-        return tuple(name for axis, name in supplies.items() if axis in on)
+            advised = {axis for axis, name in named.items() if name in known.reference.advice}
+            on = on | advised or set(named)
+        return tuple(name for axis, name in named.items() if axis in on)
 
     def _silent(self) -> list[state.CoilReading]:
         coils = () if self.state is None else self.state.coils
@@ -155,13 +156,14 @@ def _in_common(known: state.LabState | None, facts: Bench | None) -> str:
     """Of those that do not answer."""
     if known is None or facts is None:
         return ""
-    supplies = _supplies(facts)
+    by_axis = supplies(facts)
     silent = {one.name for one in known.instruments if one.fault}
-    silent |= {supplies[c.axis] for c in known.coils if c.fault not in ("", UNANSWERED) and c.axis in supplies}
+    silent |= {by_axis[c.axis] for c in known.coils if c.fault not in ("", UNANSWERED) and c.axis in by_axis}
     asked = {n: one for n, one in facts.instruments.items() if one.role != "polarity" or n in silent}  # not by itself
     return in_common(silent, {name: one.link for name, one in asked.items()})
 
 
-def _supplies(facts: Bench) -> dict[str, str]:
-    """By axis."""
-    return {one.role[-1]: name for name, one in facts.instruments.items() if one.role.startswith("coil-")}
+def supplies(facts: Bench | None) -> dict[str, str]:
+    """The coils' supplies by axis; none where no bench is open."""
+    instruments = {} if facts is None else facts.instruments
+    return {one.role[-1]: name for name, one in instruments.items() if one.role.startswith("coil-")}

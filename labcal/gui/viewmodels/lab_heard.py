@@ -12,7 +12,8 @@ from labcal.gui.ipc.answers import Bench, Doubt, Identified, InstrumentAnswer
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import UNHEARD, coil_read
+from labcal.gui.viewmodels.lab_now import UNHEARD
+from labcal.gui.viewmodels.lab_off import coil_read
 
 NO_REPLY = (*UNHEARD, "link was lost")  # in a fault: then it gives no answer, and has not failed otherwise
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -10,8 +11,7 @@ from typing import Literal
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
-from labcal.bench.essentials import AXES
-from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
+from labcal.gui.ipc.answers import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import GUARDIAN
@@ -34,7 +34,7 @@ BY_KEY = QT_TRANSLATE_NOOP(
     "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
     "its controller",
 )
-LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next, and what a supply may need to answer it
+LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are looked at more often), and its answer
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
 HOMES_S = 10  # so long a platform that a run turns may look for its zero unread
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
@@ -69,9 +69,11 @@ class LabNow:
     coil_A: tuple[float | None, ...] = (None, None, None)  # x, y, z
     coil_old_s: int | None = None
     coil_words: str = ""
+    coils_late: bool = False  # at rest: the next look at them was not answered in time
     coils_at_zero: bool | None = None
     alone: str = ""  # why a zero rests on the supplies' word alone; "" where the reference has seen it
     reference_agreed: bool = False  # when it was looked at last
+    reference_old_s: int | None = None
     silent_with_current: str = ""  # supplies that are not read any more, with the current that they had
     driven: bool = False  # by a run of this window
     as_set: bool = False  # every coil that is on was set so by whoever drives it, and is read
@@ -128,10 +130,12 @@ def lab_now(
     *,
     driven: bool = False,
     contacts_heard: bool = True,
+    coils_by_s: float = math.inf,
 ) -> LabNow:
     """The state `lab` at `received_s`, as it is at `now_s`; `roles` by instrument, in the order to be shown in.
 
     `driven`: by a run of this window. `contacts_heard`: whoever read the coils heard their contacts, as a run does.
+    `coils_by_s`: how old their reading may become where nobody drives them, for they are read again sooner.
     """
     if lab is None:
         return LabNow(driven=driven, lights=tuple((name, "absent", "") for name in roles))
@@ -143,9 +147,11 @@ def lab_now(
         coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
+        coils_late=known and not driven and lab.age_s(now_s) > coils_by_s,
         coils_at_zero=lab.at_zero(now_s),
         alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
         reference_agreed=lab.reference.verdict == "agrees",
+        reference_old_s=old_s(lab.reference.read_s, now_s),
         driven=driven,
         as_set=not at_zero and all(coil.zero or (coil.set_A and coil.current_A is not None) for coil in lab.coils),
         platform_words=_platform_words(lab, now_s, driven=driven, lost="platform" in lost),
@@ -255,15 +261,27 @@ def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
 
 def as_watched(now: LabNow) -> LabNow:
     """What was read at rest up to `WATCHED_S` ago is read on and stands: the same without its age."""
-    if now.coils_lost or now.platform_lost or not 0 <= max(now.coil_old_s or 0, now.platform_old_s or 0) <= WATCHED_S:
+    if now.coils_lost or now.platform_lost or now.coils_late or not 0 <= watched_age_s(now) <= WATCHED_S:
         return now
-    if now.coil_words.startswith(state.WAS_ZERO):
+    if now.coil_words.startswith(state.WAS_ZERO) or _seen_between(now):
         now = replace(now, coil_words=state.AT_ZERO, coils_at_zero=True)
     elif now.coil_words.startswith(state.WAS_ZERO_BY_WORD):
         words = f"{state.BY_WORD}: {now.alone}" if now.alone else state.BY_WORD
         now = replace(now, coil_words=words, coils_at_zero=True)
     stood = platform_mark(now.platform_words)[1] == "old"
     return replace(now, platform_words=now.platform_words.partition(",")[0]) if stood else now
+
+
+def watched_age_s(now: LabNow) -> int:
+    """How old the oldest is of what lets hands in, in whole seconds; 0 where all is fresh."""
+    reference_s = now.reference_old_s if _seen_between(now) else 0
+    return max(now.coil_old_s or 0, now.platform_old_s or 0, reference_s or 0)
+
+
+def _seen_between(now: LabNow) -> bool:
+    """Whether the reference has seen the zero between two looks at the coils: it is looked at less often."""
+    recent = now.reference_agreed and 0 <= (now.reference_old_s or 0) <= WATCHED_S
+    return recent and now.coil_words.startswith(state.BY_WORD) and not now.driven
 
 
 def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
@@ -345,44 +363,6 @@ def _no_answer(fault: str) -> str:
 
 def _heard(age: str) -> str:
     return translated(str(HEARD)).format(age)
-
-
-def coil_read(said: CoilEnd) -> state.CoilReading:
-    """One axis as it was read back when it was switched off."""
-    known, read_s = said.current_A is not None, said.read_s or time.monotonic()
-    fault = "" if said.ok else said.words
-    return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)
-
-
-def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None) -> state.LabState:
-    """The lab after its coils were switched off and read back, with the doubt that stands about their zero."""
-    witness = state.Witness()
-    if said.doubt:
-        witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
-    ends = {one.axis: one for one in said.coils}
-    coils = tuple(coil_read(ends[axis]) for axis in AXES if axis in ends)  # by name: what has another is no coil here
-    heard = heard_from(before.instruments, said.coils, facts)
-    platform = _stopped(before.platform, said.platform)
-    return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
-
-
-def _stopped(before: state.PlatformReading | None, said: state.PlatformReading | None) -> state.PlatformReading | None:
-    """The platform after it was told to stop: where nobody saw it stand, where it turned when it was read last."""
-    if said is not None and said.moving is None and before is not None and before.moving:
-        return replace(before, fault=said.fault)
-    return said or before
-
-
-def heard_from(
-    before: tuple[state.Heard, ...], said: tuple[CoilEnd, ...], facts: Bench | None
-) -> tuple[state.Heard, ...]:
-    """Supplies that were read back answer, whatever was wrong with them before."""
-    roles = {} if facts is None else {one.role: name for name, one in facts.instruments.items()}
-    heard = {one.name: one for one in before}
-    for one in said:
-        if one.ok and one.read_s is not None and (name := roles.get(f"coil-{one.axis}")):
-            heard[name] = state.Heard(name, one.read_s)
-    return tuple(heard.values())
 
 
 def reference_U(facts: Bench | None, measured: state.Vector | None) -> float | None:

@@ -7,7 +7,7 @@ at the window for `ALONE_S` and hands may go in, nobody reads on: supplies are n
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from datetime import datetime
 
@@ -19,14 +19,18 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
+from labcal.gui.viewmodels.watch_round import COILS_S, WatchRound
 
-LOOK_MS = 1000 * LOOK_S
+LOOK_MS = int(1000 * COILS_S)
 ALONE_S = 15 * 60.0  # since the last key, mouse, order or run
 Readings = tuple[InstrumentRead, ...]
 
 
 class LabWatch(QObject):
-    """`bench`: the file of the bench that may be read now, "" where none may. `wrong`: whom to look at again."""
+    """`bench`: the file of the bench that may be read now, "" where none may. `wrong`: whom to look at again.
+
+    `coils`: the supplies of the coils, by name, which are looked at most often.
+    """
 
     was_read = Signal()
 
@@ -37,11 +41,13 @@ class LabWatch(QObject):
         bench: Callable[[], str],
         wrong: Callable[[], tuple[str, ...]],
         take: Callable[[Readings], object],
+        coils: Callable[[], Collection[str]],
     ) -> None:
         super().__init__()
         self._worker, self._lab, self._bench, self._wrong, self._take = worker, lab, bench, wrong, take
         self._touched_s = time.monotonic()
         self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
+        self.round = WatchRound(lambda name: name in coils())
         self._asked: ReadLab | None = None
         self._asked_s = 0.0
         self._kept = set[str]()  # what a guardian that is still at work has not let go of
@@ -55,7 +61,14 @@ class LabWatch(QObject):
             self._touched_s, self.alone_since = time.monotonic(), ""
         elif not self.alone_since and time.monotonic() - self._touched_s > ALONE_S and self._confirmed:
             self.alone_since = f"{datetime.now():%H:%M}"
-        if not self.alone_since and self._asked is None and (bench := self._bench()) and (names := self._wrong()):
+        if not self.alone_since and self._bench() and (names := self._wrong()):
+            self.round.begin(names, time.monotonic())
+            self._go_on()
+
+    def _go_on(self) -> None:
+        """Ask whoever is due in this round of looks, one question after another."""
+        bench = self._bench()
+        if self._asked is None and bench and (names := self.round.next(time.monotonic())):
             self._ask(ReadLab(bench, names))
 
     @property
@@ -93,6 +106,7 @@ class LabWatch(QObject):
 
     def stop(self) -> None:
         """Let go of every line at once: somebody wants them."""
+        self.round.forget()
         if self._asked is not None:
             self._over()
             self._worker.kill()
@@ -105,7 +119,7 @@ class LabWatch(QObject):
         """What came too late, for a run has begun or another bench is open, says nothing of now."""
         if asked is not self._asked:
             return
-        for_a_person = not asked.names
+        for_a_person, took_s = not asked.names, time.monotonic() - self._asked_s
         self._over()
         if asked.bench != self._bench():
             return
@@ -114,8 +128,10 @@ class LabWatch(QObject):
         if for_a_person:
             self._lab.update(message=self._words(said))
         self.was_read.emit()
-        if time.monotonic() - self._asked_s > LOOK_S:  # somebody was slow: what the others said is that old by now
+        self.round.took(asked.names, took_s, answered=not any(one.fault for one in said))
+        if for_a_person and took_s > LOOK_S:  # somebody was slow: what the others said is that old by now
             self.look()
+        self._go_on()
 
     def _words(self, said: Readings) -> str:
         silent = [one.name for one in said if one.fault is not None]

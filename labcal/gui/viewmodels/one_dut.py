@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
-from labcal.gui.ipc.answers import CalibrationFile
+from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.path import WHOLE, PathViewModel
+from labcal.gui.viewmodels.path import WHOLE, Next, PathViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
@@ -82,6 +82,20 @@ class OneDut(QObject):
             return False
         last, run = self._path.last(), self._study.run
         return any(one.run_id == run for one in self._path.runs) and (last is None or last.run_id != run)
+
+    def on_page(self, page: str) -> str:
+        """The run that `page` shows; "" where it shows none, or one that goes on."""
+        if page == "Run":
+            return self._run.run_id if self._run.state == "ended" else ""
+        if page == "Certificate":
+            return "" if self.calibration is None else self.calibration.run_id
+        return self._study.run if page in STUDIES else ""
+
+    def unlike(self, to: Next, page: str) -> RunLine | None:
+        """The run of which Next speaks, where `page` shows another one; one name for both would be of neither."""
+        shown = self.on_page(page)
+        another = bool(shown) and bool(to.about) and shown != to.about
+        return next((one for one in self._path.runs if another and one.run_id == to.about), None)
 
     def take_calibration(self, one: CalibrationFile | None) -> None:
         """The Certificate page shows this one."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from PySide6.QtCore import QObject, Signal
@@ -33,7 +33,7 @@ class Next:
 
     `waits`: it works. `ready`: whoever sees the page has its Begin before them. `closes`: the run that is done with.
     `presses`: on that page Next does what its one button does. `off`: Next is COILS OFF, whatever page is open.
-    `resumes`: the run that Next goes on with at once.
+    `resumes`: the run that Next goes on with at once. `of`: the run whose calibration it is about.
     """
 
     page: str
@@ -45,6 +45,12 @@ class Next:
     presses: bool = False
     off: bool = False
     resumes: RunLine | None = None
+    of: str = field(default="", compare=False)
+
+    @property
+    def about(self) -> str:
+        """The run that it speaks of; "" where of none."""
+        return self.run or self.closes or self.of or ("" if self.resumes is None else self.resumes.run_id)
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +109,13 @@ class PathViewModel(QObject):
         """The calibration of a run: the signed one where there is one."""
         mine = [one for one in self.files if one.run_id == run_id]
         return next((one for one in mine if one.standing.signatures), mine[0] if mine else None)
+
+    def traced(self, run_id: str) -> str:
+        """The loop's verdict on a run, of this session or as the store has it; "" where its residual was not traced."""
+        studied = self._study.of(run_id)
+        if studied is not None and studied.loop is not None:
+            return studied.loop.verdict
+        return next((one.verdict for one in self.runs if one.run_id == run_id), "")
 
     def why_no_fit(self, run_id: str) -> str:
         """Why a run gives no calibration; "" where it may, or is not known."""
@@ -228,18 +241,18 @@ class PathViewModel(QObject):
         file = self._file(last)
         if file is None or not file.standing.signatures:
             unseen = file is not None and not file.approvers
-            return Next("Certificate", self.tr("Approve and sign") if unseen else self.tr("Sign"))
+            return Next("Certificate", self.tr("Approve and sign") if unseen else self.tr("Sign"), of=last.run_id)
         standing = file.standing
         if not standing.valid:
             return Next("Fit", self.tr("Make a new draft"), last.run_id)
         if standing.status in NO_LONGER:
             return self._to_calibrate(last.dut_serial)
         if awaited(file):
-            return Next("Certificate", self.tr("The second signature"))
+            return Next("Certificate", self.tr("The second signature"), of=last.run_id)
         if self.handed_out.holds(file):
             return Next("Start", self.tr("The next DUT"), closes=last.run_id)
         as_what, words = handed_out_as(file), self.tr("Hand it out, as {0}")
-        return Next("Certificate", words.format(as_what) if as_what else self.tr("Hand it out"))
+        return Next("Certificate", words.format(as_what) if as_what else self.tr("Hand it out"), of=last.run_id)
 
     def _of_the_bench(self) -> Mark:
         """It is done where every instrument has answered just now, by the age that lets hands in; begun where some."""
@@ -270,8 +283,7 @@ class PathViewModel(QObject):
         studied = self._study.of(last.run_id)
         if studied is not None and studied.traces:
             return "now"
-        loop = None if studied is None else studied.loop
-        verdict = loop.verdict if loop is not None else last.verdict
+        verdict = self.traced(last.run_id)
         return "open" if not verdict else "done" if verdict in EXPLAINED else "doubt"
 
     def _of_the_file(self, last: RunLine) -> Mark:

@@ -37,7 +37,7 @@ from labcal.gui.viewmodels.hands import STOP, says_hands_off
 from labcal.gui.viewmodels.last_words import last_words
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.gui.viewmodels.run_steps import Mark, axis_of, left_out, marks_of, name_a_turn
+from labcal.gui.viewmodels.run_steps import Mark, axis_of, in_turn, left_out, marks_of, name_a_turn
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
 from labcal.record.stream import (
@@ -263,9 +263,9 @@ class RunViewModel(QObject):
         return axis_of(self.segment or (self.step.name if self.step else ""))
 
     def coverage(self) -> float:
-        """The part of the circle, 0 to 1, that this turn has seen; between two, what the turns about its axis have."""
+        """The part of the circle, 0 to 1, that this turn has seen; in other steps, what those about its axis have."""
         seen = self.covered.part()
-        return seen if self.segment else max(seen, seen_about(self.axis, self.measurements))
+        return seen if in_turn(self.segment, self.step) else max(seen, seen_about(self.axis, self.measurements))
 
     def _take_state(self, lab: LabState) -> None:
         self.lab, self.unheard = lab, False

@@ -28,6 +28,11 @@ def name_a_turn(steps: Sequence[str]) -> bool:
     return any(step[:1] in ("x", "y", "z") and step[1:2] in ("+", "-") for step in steps)
 
 
+def in_turn(segment: str | None, step: Step | None) -> bool:
+    """Whether one is being recorded, or its step has begun: on the way to its field nothing of it is seen yet."""
+    return segment is not None or (step is not None and name_a_turn((step.name,)))
+
+
 def may_pause(state: str, step: Step | None, *, pausing: bool) -> bool:
     """Whether it may be asked to, or to go on after it: where the next step begins it pauses, and the last has none."""
     last = step is not None and step.number == step.total

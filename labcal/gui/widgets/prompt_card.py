@@ -342,7 +342,9 @@ class PromptCard(Card):
             by_key = self.tr("Hold the button, or its key, until it is full. Enter does nothing here.")
         if "skip" in prompt.choices:
             cost = self.tr(
-                "Skipped, it is missing: the verdict says so, and a calibration may lack what it would tell."
+                "Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered "
+                "at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it "
+                "would tell."
             )
             by_key = f"{by_key} {cost}".strip()
         if prompt.key == STANDS:

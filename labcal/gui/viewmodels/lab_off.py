@@ -1,0 +1,48 @@
+"""The lab after its coils were switched off by a process that is no run, and read back."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+from labcal.bench.coils import state
+from labcal.bench.essentials import AXES
+from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
+
+
+def coil_read(said: CoilEnd) -> state.CoilReading:
+    """One axis as it was read back when it was switched off."""
+    known, read_s = said.current_A is not None, said.read_s or time.monotonic()
+    fault = "" if said.ok else said.words
+    return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)
+
+
+def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None) -> state.LabState:
+    """The lab after its coils were switched off and read back, with the doubt that stands about their zero."""
+    witness = state.Witness()
+    if said.doubt:
+        witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
+    ends = {one.axis: one for one in said.coils}
+    coils = tuple(coil_read(ends[axis]) for axis in AXES if axis in ends)  # by name: what has another is no coil here
+    heard = heard_from(before.instruments, said.coils, facts)
+    platform = _stopped(before.platform, said.platform)
+    return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
+
+
+def _stopped(before: state.PlatformReading | None, said: state.PlatformReading | None) -> state.PlatformReading | None:
+    """The platform after it was told to stop: where nobody saw it stand, where it turned when it was read last."""
+    if said is not None and said.moving is None and before is not None and before.moving:
+        return replace(before, fault=said.fault)
+    return said or before
+
+
+def heard_from(
+    before: tuple[state.Heard, ...], said: tuple[CoilEnd, ...], facts: Bench | None
+) -> tuple[state.Heard, ...]:
+    """Supplies that were read back answer, whatever was wrong with them before."""
+    roles = {} if facts is None else {one.role: name for name, one in facts.instruments.items()}
+    heard = {one.name: one for one in before}
+    for one in said:
+        if one.ok and one.read_s is not None and (name := roles.get(f"coil-{one.axis}")):
+            heard[name] = state.Heard(name, one.read_s)
+    return tuple(heard.values())

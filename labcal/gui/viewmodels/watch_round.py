@@ -1,0 +1,73 @@
+"""In which order the lab is read at rest: the coils every second, everybody else one by one between them. No widgets.
+
+Who is slow, or silent, so keeps nobody waiting but for one answer: the coils tell whether hands may be there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Callable, Sequence
+from statistics import median
+
+from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S
+
+COILS_S = 1.0  # from one look at the coils to the next
+LATE_S = 1.25  # one answer may be late by so much, and nobody is alarmed
+LAST = 5  # looks at the coils, by which it is told how long one takes on this bench
+Names = tuple[str, ...]
+
+
+class WatchRound:
+    """`is_coil`: whether an instrument of this name is a coil's supply."""
+
+    def __init__(self, is_coil: Callable[[str], bool]) -> None:
+        self._is_coil = is_coil
+        self._due: list[Names] = []
+        self._read_s: dict[str, float] = {}  # others, when they were asked last
+        self._took_s = deque[float](maxlen=LAST)
+        self._others_s: dict[str, float] = {}  # what the last look at each of them took: coils wait for one of these
+
+    @property
+    def by_s(self) -> float:
+        """A reading of the coils that is older lets nobody in: the next look at them has not been answered.
+
+        Before the first of these looks nothing is missed: a run has ended, and their line is opened anew.
+        """
+        if not self._took_s:
+            return math.inf
+        usual_s = median(self._took_s)
+        waits_s = max(LATE_S, *self._others_s.values(), 0.0)
+        return min(WATCHED_S, max(COILS_S, usual_s) + waits_s + usual_s)
+
+    def begin(self, names: Sequence[str], now_s: float) -> None:
+        """The coils among `names` are due now, and the others that were not read for as long as a look takes."""
+        coils = tuple(name for name in names if self._is_coil(name))
+        waits = [due for due in self._due if due[0] in names and not self._is_coil(due[0])]
+        rested = [(name,) for name in names if not self._is_coil(name)
+                  and now_s - self._read_s.get(name, -LOOK_S) > LOOK_S - COILS_S / 2]  # fmt: skip
+        self._due = [coils, *waits] if coils else waits
+        self._due += [due for due in rested if due not in waits]
+
+    def next(self, now_s: float) -> Names:
+        """Who is to be asked now, in one question; none where this round is over."""
+        if not self._due:
+            return ()
+        names = self._due.pop(0)
+        self._read_s |= {name: now_s for name in names if not self._is_coil(name)}
+        return names
+
+    def took(self, names: Sequence[str], seconds: float, *, answered: bool = True) -> None:
+        """So long it took until these were read; or, not `answered`, known to be silent."""
+        coils = bool(names) and all(map(self._is_coil, names))
+        if coils and answered:
+            self._took_s.append(seconds)
+        elif not coils:
+            self._others_s |= dict.fromkeys(names, seconds)
+
+    def forget(self) -> None:
+        """Nobody is due: somebody else wants the lines."""
+        self._due = []
+        self._read_s = {}
+        self._took_s.clear()
+        self._others_s = {}

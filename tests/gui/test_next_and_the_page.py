@@ -1,0 +1,67 @@
+"""Next and the page in sight speak of one run; where that cannot be, Next says which one it means."""
+
+from dataclasses import replace
+
+import pytest
+from test_path import RUN, calibration
+
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import ListRuns, RunProcedure
+from labcal.gui.viewmodels.run_search import local_time
+
+EARLIER = replace(RUN, run_id="r0", started_utc="2026-01-04T07:00:00Z", verdict="explained")
+OTHER = replace(RUN, run_id="r2", started_utc="2026-01-06T07:00:00Z", procedure="rotate-axis")
+
+
+def of(one):
+    return f" · run of {local_time(one.started_utc):%Y-%m-%d %H:%M}"
+
+
+@pytest.mark.parametrize("page", ["Fit", "Loop"])
+def test_a_page_that_shows_an_earlier_run_is_not_what_next_speaks_of(still, page):
+    still.app_state.path.take_runs((RUN, EARLIER))
+    still.app_state.one_dut.open("r0")
+    still.open_page(page)
+    assert still.next.text() == "Next: Fit the run" + of(RUN)
+    still.app_state.one_dut.open("r1")
+    assert "run of" not in still.next.text()
+
+
+def test_the_run_page_shows_what_has_just_ended_and_next_is_of_the_calibration(still):
+    app_state = still.app_state
+    app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
+    app_state.bench_worker.answer(RunProcedure, Ended("r2", "finished"))
+    app_state.path.take_runs((OTHER, RUN))
+    assert still.next.text() == "Next: Fit the run" + of(RUN)
+    still.open_page("Start")
+    assert still.next.text() == "Next: Fit the run"
+
+
+def test_the_calibration_in_sight_is_that_which_next_signs_or_it_says_so(still):
+    app_state = still.app_state
+    app_state.path.take_runs((replace(RUN, verdict="explained"), EARLIER))
+    app_state.path.take_calibrations((calibration(signed=False),))
+    still.open_page("Certificate")
+    app_state.one_dut.take_calibration(replace(calibration(signed=False), run_id="r0"))
+    assert still.next.text() == "Next: Approve and sign" + of(RUN)
+    app_state.one_dut.take_calibration(calibration(signed=False))
+    assert still.next.text() == "Next: Approve and sign"
+
+
+@pytest.mark.parametrize("last", ["interrupted", "a finished one after it"])
+def test_start_has_in_blue_what_next_goes_on_with_and_no_other(still, last):
+    """A run that broke off was the blue button, and Next led to the fit of a later one."""
+    broken = replace(EARLIER, status="interrupted", verdict="")
+    later = replace(RUN, procedure="field-sphere")
+    app_state = still.app_state
+    app_state.path.resumable = frozenset({"preflight"})
+    still.open_page("Start")
+    runs = (broken,) if last == "interrupted" else (later, broken)
+    app_state.quick_worker.answer(ListRuns, runs)
+    goes_on = still.page("Start").interrupted.body.itemAt(1).widget()
+    assert goes_on.text().startswith("Go on with EM-07")
+    resumes = app_state.path.next().resumes
+    assert (resumes is not None) == (last == "interrupted")
+    assert (goes_on.objectName() == "primary") == (resumes is not None)
+    choose = still.page("Run").choose
+    assert (choose.go_on.objectName() == "primary") == (resumes is not None)

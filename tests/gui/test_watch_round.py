@@ -1,0 +1,114 @@
+"""At rest the coils are looked at every second: a silent supply is missed soon, a late answer alarms nobody."""
+
+import time
+from dataclasses import replace
+from itertools import pairwise
+
+import pytest
+from test_hands_in_the_cage import lab, stands
+from test_hands_in_the_cage import real as real
+
+from labcal.bench.coils.state import Witness
+from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
+from labcal.gui.viewmodels import lab_watch
+from labcal.gui.viewmodels.lab_now import WATCHED_S
+from labcal.gui.viewmodels.watch_round import COILS_S, LATE_S, WatchRound
+
+COILS = ("supply_x", "supply_y", "supply_z")
+WANTED_S = 2.5  # so long hands may be let in by a supply that has fallen silent
+
+
+def is_coil(name):
+    return name.startswith("supply")
+
+
+def rounds(names, seconds, took):
+    """(who, when) of looks begun every second, each of which takes `took` [s] by name."""
+    looks, asked, now_s, tick_s = WatchRound(is_coil), [], 0.0, 0.0
+    while now_s < seconds:
+        if now_s >= tick_s:
+            looks.begin(names, now_s)
+            tick_s = now_s + COILS_S
+        if who := looks.next(now_s):
+            asked.append((who, now_s))
+            now_s += sum(took.get(name, 0.05) for name in who)
+        else:
+            now_s = tick_s
+    return asked
+
+
+@pytest.mark.parametrize("took", [{}, {"dut": 1.5, "reference": 1.5}], ids=["all answer", "two are silent"])
+def test_the_coils_wait_for_one_answer_at_most(took):
+    names = ("dut", *COILS, "reference", "stage")
+    asked = rounds(names, 30.0, took)
+    coils = [at_s for who, at_s in asked if who == COILS]
+    longest = max(b - a for a, b in pairwise(coils))
+    assert longest <= COILS_S + max([0.15, *took.values()])
+    for name in ("dut", "reference", "stage"):
+        assert sum(who == (name,) for who, _ in asked) >= 5, "nobody is forgotten"
+
+
+def test_who_is_read_by_somebody_else_is_not_asked_on():
+    looks = WatchRound(is_coil)
+    looks.begin((*COILS, "reference"), 0.0)
+    looks.forget()
+    assert looks.next(0.0) == ()
+
+
+@pytest.mark.parametrize("usual_s", [0.02, 0.2])
+def test_a_silent_supply_is_missed_in_time_and_a_late_answer_is_not(usual_s):
+    looks = WatchRound(is_coil)
+    for _ in range(3):
+        looks.took(COILS, usual_s)
+    assert COILS_S + usual_s + 1.0 < looks.by_s <= WANTED_S  # a second late
+    looks.took(("reference",), 0.6)
+    assert looks.by_s <= WANTED_S
+    looks.took(("dut",), 1.5, answered=False)  # the coils wait for that one question, and are not missed by it
+    assert COILS_S + 1.5 + usual_s <= looks.by_s <= WATCHED_S
+    looks.took(("dut",), 0.1)
+    assert looks.by_s <= WANTED_S
+
+
+def test_supplies_that_are_slow_as_a_rule_are_not_missed_each_time():
+    looks = WatchRound(is_coil)
+    looks.took(COILS, 1.2)
+    assert 2 * 1.2 < looks.by_s <= WATCHED_S
+
+
+def looked(window, at_s):
+    coils = tuple(InstrumentRead(name, f"coil-{name[-1]}", "", "a supply", None, False, at_s, 0.0, True)
+                  for name in COILS)  # fmt: skip
+    window.app_state.watch_worker.answer(ReadLab, coils)
+
+
+def test_at_rest_a_supply_that_falls_silent_lets_nobody_in_after_that(real, monkeypatch):
+    app_state, now = real.app_state, time.monotonic()
+    app_state.watch.stop()
+    agreed = Witness("agrees", "", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 2000.0, now)
+    app_state.take_lab(replace(lab(platform=stands(), witness=agreed)))
+    app_state.watch.look()
+    looked(real, now)
+    app_state.watch.stop()  # and whoever waits for its answer
+    app_state.watch.round.took(COILS, 0.1)
+    by_s = app_state.watch.round.by_s
+    for silent_s, state in ((1.0, "good"), (by_s - 0.1, "good"), (by_s + 0.1, "warning")):
+        known = app_state.known.shifted(now - silent_s - app_state.known.coils[0].read_s)
+        app_state.take_lab(replace(known, platform=stands()))
+        assert real.side.hands.property("state") == state, (silent_s, real.side.hands.text())
+    assert by_s <= WANTED_S
+
+
+def test_between_two_looks_at_the_reference_the_coils_are_read_and_it_stays_green(real):
+    """It is looked at every other second: that alone is no lesser proof of a zero."""
+    now = time.monotonic()
+    seen = Witness("agrees", "", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 2000.0, now - 3.0)
+    real.app_state.take_lab(lab(platform=stands(), witness=seen))
+    assert real.side.hands.property("state") == "good"
+    assert "3 s ago" in real.side.hands.text()
+    real.app_state.take_lab(lab(platform=stands(), witness=replace(seen, read_s=now - WATCHED_S - 1.5)))
+    assert real.side.hands.property("state") == "alone"
+
+
+def test_the_clock_of_the_watch_is_that_of_its_round():
+    assert lab_watch.LOOK_MS == 1000 * COILS_S
+    assert LATE_S > COILS_S
