@@ -147,6 +147,18 @@ def new_window(tmp_path, qapp):
         yield at_rest(window)
 
 
+@pytest.fixture(scope="module")
+def window_of_file(tmp_path_factory, qapp):
+    with deaf_window_at(tmp_path_factory.mktemp("home")) as window:
+        yield window
+
+
+@pytest.fixture
+def same_window(window_of_file):
+    """One for all tests of a file, which bring it to sizes and pages of their own: each finds it at rest."""
+    return at_rest(window_of_file)
+
+
 @pytest.fixture
 def rest():
     """What brings a window back to nothing asked, said or begun."""
