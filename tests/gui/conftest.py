@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 from lab_states import runs_of
+from pyqtgraph import PlotWidget
 from PySide6.QtCore import QSettings, Qt
 from shiboken6 import delete, isValid
 
@@ -81,7 +82,11 @@ def take_apart(window):
     """
     if isValid(window):
         window.leave()
+        of_plots = [plot.getPlotItem() for plot in window.findChildren(PlotWidget)]
+        menus = [menu for item in of_plots for menu in (item.ctrlMenu, item.vb.menu) if menu is not None]
         delete(window)
+        for menu in menus:  # nothing of the window holds them
+            delete(menu)
 
 
 def settings_in(folder):
