@@ -37,6 +37,7 @@ from labcal.gui.widgets.next_button import NextButton
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
+OF_ITS_OWN = QDialog, QMenu  # windows beside this one
 NO_MARK = "\N{EM SPACE}\N{SIX-PER-EM SPACE}"  # as wide as a mark and the blank behind it
 
 
@@ -247,10 +248,11 @@ class Frame(QMainWindow):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take F12 before anything else can, whatever has the focus and whatever card is open; then `key_handlers`."""
-        if event.type() == QEvent.Type.Show and isinstance(watched, QDialog | QMenu) and not watched.styleSheet():
-            watched.setStyleSheet(self.sheet())  # a window of its own: what is styled here does not reach it
-        if event.type() == QEvent.Type.Show and isinstance(watched, QDialog):
-            put_off_into(watched, self.coils_off.emit)
+        if isinstance(watched, OF_ITS_OWN) and event.type() == QEvent.Type.Show:
+            if not watched.styleSheet():
+                watched.setStyleSheet(self.sheet())  # what is styled here does not reach it
+            if isinstance(watched, QDialog):
+                put_off_into(watched, self.coils_off.emit)
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:

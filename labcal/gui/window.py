@@ -260,13 +260,13 @@ class Window(Frame):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Style what comes up new; then handle the keys."""
-        if event.type() in SOMEBODY:
+        if (kind := event.type()) in SOMEBODY:  # asked once: PySide makes it anew each time, for thousands of events
             self.app_state.watch.touched()
-        if event.type() in (QEvent.Type.KeyPress, QEvent.Type.MouseButtonPress):
-            self.app_state.login.touched()
-        if event.type() == QEvent.Type.MouseButtonPress:
-            self.scanner.flush()  # what was typed before a click comes before it
-        if event.type() == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
+            if kind not in MOVES:
+                self.app_state.login.touched()
+            if kind == QEvent.Type.MouseButtonPress:
+                self.scanner.flush()  # what was typed before a click comes before it
+        elif kind == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
             apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)
 

@@ -9,6 +9,7 @@ from types import SimpleNamespace
 
 import pytest
 from lab_states import runs_of
+from pyqtgraph import PlotWidget
 from PySide6.QtCore import QSettings, Qt
 from shiboken6 import delete, isValid
 
@@ -81,7 +82,11 @@ def take_apart(window):
     """
     if isValid(window):
         window.leave()
+        of_plots = [plot.getPlotItem() for plot in window.findChildren(PlotWidget)]
+        menus = [menu for item in of_plots for menu in (item.ctrlMenu, item.vb.menu) if menu is not None]
         delete(window)
+        for menu in menus:  # nothing of the window holds them
+            delete(menu)
 
 
 def settings_in(folder):
@@ -145,6 +150,18 @@ def new_window(tmp_path, qapp):
     """The same for one test alone, where what other tests have shown before would count."""
     with deaf_window_at(tmp_path) as window:
         yield at_rest(window)
+
+
+@pytest.fixture(scope="module")
+def window_of_file(tmp_path_factory, qapp):
+    with deaf_window_at(tmp_path_factory.mktemp("home")) as window:
+        yield window
+
+
+@pytest.fixture
+def same_window(window_of_file):
+    """One for all tests of a file, which bring it to sizes and pages of their own: each finds it at rest."""
+    return at_rest(window_of_file)
 
 
 @pytest.fixture

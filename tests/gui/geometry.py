@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from labcal.gui.widgets.common import AutoSizeLabel, plain
+from labcal.gui.widgets.common import AutoSizeLabel, Card, plain
 from labcal.gui.widgets.mounting_view import Mounting
 
 SLACK_PX = 1
@@ -132,6 +132,13 @@ def _needed(one: QWidget) -> QRect:
     if isinstance(one, QComboBox):
         return QRect(0, 0, 0, one.minimumSizeHint().height())  # its list says the whole
     return QRect(QPoint(), one.sizeHint())
+
+
+def run_over(page: QWidget) -> list[QWidget]:
+    """Whatever in a card reaches out of it: lists, tables and pictures too, which have no one text to be measured."""
+    cards = [card for card in page.findChildren(Card) if card.isVisible()]
+    parts = ((card, one) for card in cards for one in card.children() if isinstance(one, QWidget) and one.isVisible())
+    return [one for card, one in parts if not card.rect().contains(one.geometry())]
 
 
 def _rolls(one: QWidget) -> bool:

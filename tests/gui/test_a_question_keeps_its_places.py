@@ -44,9 +44,9 @@ def asking(window, prompt, size):
 
 
 @pytest.fixture(params=["en", "de"])
-def spoken(request, qapp, new_window):
+def spoken(request, qapp, same_window):
     translate.install_translator(qapp, QLocale(request.param))
-    yield new_window
+    yield same_window
     translate.install_translator(qapp, QLocale("en"))
 
 
@@ -71,7 +71,7 @@ def test_the_buttons_stay_where_they_are_in_sight_and_every_word_is_whole(spoken
     assert len(places) == 1
 
 
-def test_there_is_always_a_place_for_the_first_of_the_words(new_window):
-    card = asking(new_window, MOUNT, (1024, 700))
+def test_there_is_always_a_place_for_the_first_of_the_words(same_window):
+    card = asking(same_window, MOUNT, (1024, 700))
     assert card.hands.mapTo(card, card.hands.rect().topLeft()).y() < card.height()
     assert LEAST_PX > 100

@@ -12,9 +12,9 @@ from labcal.gui.widgets.key_sheet import KeySheet
 
 
 @pytest.fixture(params=["en", "de"])
-def window(request, qapp, new_window):
+def window(request, qapp, same_window):
     translate.install_translator(qapp, QLocale(request.param))
-    yield new_window
+    yield same_window
     translate.install_translator(qapp, QLocale("en"))
 
 

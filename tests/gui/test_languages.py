@@ -168,7 +168,12 @@ ANSWERS = {
 }
 
 
-@pytest.mark.parametrize("name", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])
+OFTEN = "Run", "Certificate", "History"  # what most is asked from
+
+
+@pytest.mark.parametrize(
+    "name", [*OFTEN, *(pytest.param(name, marks=pytest.mark.slow) for name in ("Start", "Bench", "Fit", "Loop"))]
+)
 def test_what_a_page_asked_before_the_language_changed_twice_reaches_the_page_that_is_there(
     qapp, qtbot, new_window, restored, name, monkeypatch
 ):

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from geometry import faults
+from geometry import faults, run_over
 from lab_states import told
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication, QLabel, QVBoxLayout, QWidget
@@ -238,21 +238,27 @@ ALWAYS = (  # of each page what fills it most
 )  # fmt: skip
 
 
-@pytest.fixture
-def sized(still):
-    """The window, to be brought to a size; afterwards as it was."""
-    before = still.size()
+@pytest.fixture(scope="module")
+def large(deaf_window):
+    """The window, to be brought to a size, and left in it by one test for the next; after all of them as it was."""
+    before = deaf_window.size().toTuple()
 
     def bring(size, wall):
-        if still.wall != wall:
-            still.toggle_wall()
-        still.style_queue.finish()
-        still.resize(*size)
+        if deaf_window.wall != wall:
+            deaf_window.toggle_wall()
+        deaf_window.style_queue.finish()
+        deaf_window.resize(*size)
 
     yield bring
-    bring((before.width(), before.height()), False)
-    still.app_state.path.take_runs(())
-    still.app_state.path.take_calibrations(())
+    bring(before, False)
+
+
+@pytest.fixture
+def sized(still, large):
+    """The same; after each test as it was."""
+    before = still.size().toTuple()
+    yield large
+    large(before, False)
 
 
 def settle(window):
@@ -322,26 +328,19 @@ LONG = {
 
 
 @pytest.mark.parametrize("state", LONG)
-def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
+def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, large, state):
     page = LONG[state](still)
     still.open_page(page)
-    found = [fault for words in LARGE for fault in faults_at(still, sized, page, words, LARGE)]
+    found = [fault for words in LARGE for fault in faults_at(still, large, page, words, LARGE)]
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
 
 
 @pytest.mark.parametrize("state", STATES)
-def test_every_page_in_large_letters_is_whole_on_a_usual_screen(still, sized, state):
+def test_every_page_in_large_letters_is_whole_on_a_usual_screen(still, large, state):
     page = shown(still, state)
-    found = list(faults_at(still, sized, page, "1440 x 900, F11", LARGE))
+    found = list(faults_at(still, large, page, "1440 x 900, F11", LARGE))
     found += [f"{type(one).__name__} runs over its card" for one in run_over(still.page(page))]
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
-
-
-def run_over(page):
-    """Whatever in a card reaches out of it: lists, tables and pictures too, which have no one text to be measured."""
-    cards = [card for card in page.findChildren(Card) if card.isVisible()]
-    parts = ((card, one) for card in cards for one in card.children() if isinstance(one, QWidget) and one.isVisible())
-    return [one for card, one in parts if not card.rect().contains(one.geometry())]
 
 
 def test_what_runs_over_its_card_is_found(qtbot):

@@ -6,6 +6,7 @@ import pytest
 from PySide6.QtWidgets import QApplication, QToolTip
 from test_a_question_keeps_its_places import asking
 from test_nothing_is_cut import WORST, begun, by_word, settle
+from test_nothing_is_cut import large as large
 from test_nothing_is_cut import sized as sized
 from test_path import RUN
 from test_sixth_walk import STANDS
@@ -18,17 +19,17 @@ SMALL = (984, 660)
 
 
 @pytest.mark.parametrize("page", ["Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"])
-def test_no_page_is_wider_than_a_small_window(new_window, qtbot, page):
-    new_window.resize(*SMALL)
-    new_window.app_state.set_identity(dut="MAG-0043", operator="J. Doe")
-    new_window.open_page(page)
-    new_window.page(page)
+def test_no_page_is_wider_than_a_small_window(same_window, qtbot, page):
+    same_window.resize(*SMALL)
+    same_window.app_state.set_identity(dut="MAG-0043", operator="J. Doe")
+    same_window.open_page(page)
+    same_window.page(page)
     broken = replace(RUN, dut_serial="MAG-0043", status="interrupted", simulated=True)
-    new_window.app_state.quick_worker.answer(ListRuns, (broken,))
+    same_window.app_state.quick_worker.answer(ListRuns, (broken,))
     qtbot.wait(50)
     QApplication.processEvents()
-    assert (new_window.width(), new_window.height()) == SMALL
-    bar = new_window.lazy_pages[page].area.horizontalScrollBar()
+    assert (same_window.width(), same_window.height()) == SMALL
+    bar = same_window.lazy_pages[page].area.horizontalScrollBar()
     assert bar.maximum() == 0
 
 

@@ -172,7 +172,7 @@ def test_an_end_that_few_rows_reach_is_a_limit_where_another_as_far_from_zero_is
 
 
 def test_a_reading_that_no_field_made_is_set_aside_before_anything_else(making: ModuleType, tmp_path: Path) -> None:
-    rows, segments = making.recorded()
+    rows, segments = making.recorded(seconds=20.0)
     amps = (np.sin(rows["t_s"] / 3.7) > 0).astype(float)
     rows["dut"] = rows["dut"] + np.outer(amps, [900.0, -600.0, 300.0])
     rows["i_radio"] = amps

@@ -130,7 +130,7 @@ def answer(folder: Path) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("number", [0, pytest.param(1, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("program", FILES)
+@pytest.mark.parametrize("program", [pytest.param("magnets.py", marks=pytest.mark.slow), *list(FILES)[1:]])
 def test_the_first_runs_of_each_are_answered_no_worse_than_was_counted(
     program: str, number: int, counted: ModuleType, first_runs: Callable[[str], list[Path]]
 ) -> None:
