@@ -246,7 +246,9 @@ def test_the_choice_ends_where_white_noise_is_left_and_goes_on_where_it_is_not(
     asked: list[Candidate] = []
     beside = related.related_columns
     monkeypatch.setattr(
-        stepwise, "related_columns", lambda pool, accepted: asked.extend(accepted) or beside(pool, accepted)
+        stepwise,
+        "related_columns",
+        lambda pool, accepted, **how: asked.extend(accepted) or beside(pool, accepted, **how),
     )
     walk = np.cumsum(np.random.default_rng(0).normal(0, 4.0, (len(t), 3)), axis=0)
     for added, goes_on in ((0.0, False), (walk, True)):

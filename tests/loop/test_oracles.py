@@ -24,6 +24,7 @@ from labcal.loop.noise.nuisance import (
     orthogonal_complement,
     orthonormal,
     principal_span,
+    span_of_combinations,
 )
 from labcal.loop.noise.whitening import WhitenedNull
 
@@ -160,6 +161,19 @@ def test_a_few_columns_span_many_that_repeat() -> None:
     assert few.shape == (50, 3, 4)
     left = _flat(many) - _flat(few) @ (_flat(few).T @ _flat(many))
     assert np.linalg.norm(left) < 1e-9 * np.linalg.norm(many)
+
+
+def test_of_many_columns_a_few_that_are_as_long_as_they_are_common() -> None:
+    draw = np.random.default_rng(2)
+    made_of, mix, times = draw.normal(size=(40, 3, 6)), draw.normal(size=(6, 30)), draw.integers(1, 9, 30).astype(float)
+    many = _flat(made_of @ mix)
+    unit = many / np.linalg.norm(many, axis=0) * np.sqrt(times)
+    for few in (
+        principal_span(made_of @ mix, times, common=True),
+        span_of_combinations(made_of, mix, times, common=True),
+    ):
+        assert few.shape == (40, 3, 6)
+        assert _flat(few) @ _flat(few).T == pytest.approx(unit @ unit.T, abs=1e-9)
 
 
 def test_ljung_box_is_the_textbook_sum() -> None:

@@ -30,7 +30,8 @@ KINDS = {
         "selection.equivalents:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
         "selection.misfit:MOST_DIRECTIONS", "selection.discrepancy:NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
-        "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE",
+        "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE NEAREST",
+        "selection.admission:LIKELIEST",
         "selection.surrogates:SURROGATES TAIL", "empirical.build:SHORTLIST HYPERPARAMETERS",
         "selection.time_or_channel:HYPERPARAMETERS",
         "candidates.folded_lines:HIGHEST_Hz MOST_ORDERS CONTRAST EXACT PER_RESOLUTION LOOKED_AT_CLOSELY BETWEEN",
@@ -54,7 +55,7 @@ KINDS = {
         "empirical.splines:DEGREE SPLINES LENGTHS KEPT",
         "beginnings:SPREADS SMALLEST ANYWHERE_TOO MOST_SEGMENTS SEEN",
         "noise.periodogram:FINER MEDIAN_WIDTH LONGEST PADDING", "noise.cross_correlation:TAPERED",
-        "selection.related:RANDOM_DIRECTIONS DECIMALS", "selection.joint_fit:SLOPE_STEP_nT",
+        "selection.related:RANDOM_DIRECTIONS DECIMALS TINY COMMON", "selection.joint_fit:SLOPE_STEP_nT",
     ),
     "arithmetic and computing time": (
         "candidates.angle_zeros:HARMONICS NODES SAME FINE",

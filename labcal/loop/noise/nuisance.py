@@ -168,7 +168,9 @@ def squares_beside(columns: Array, part: Array) -> float:
     return float(np.sum(own**2) - np.sum((X.T @ own) ** 2))
 
 
-def principal_span(columns: Array, times: Array | float = 1.0, tolerance: float = 1e-8) -> Array:
+def principal_span(
+    columns: Array, times: Array | float = 1.0, tolerance: float = 1e-8, *, common: bool = False
+) -> Array:
     """A few orthonormal columns (n, q, few) that span the given ones (n, q, p) to a `tolerance` of squares.
 
     Each column is counted so many `times`. By the Gram matrix: fast, for columns far more than their rank.
@@ -179,15 +181,18 @@ def principal_span(columns: Array, times: Array | float = 1.0, tolerance: float 
     length = np.maximum(np.sqrt(np.diag(gram)), 1e-150) / np.sqrt(times)
     values, vectors = np.linalg.eigh(gram / np.outer(length, length))
     kept = values > tolerance * values[-1]
-    few = flat @ (vectors[:, kept] / length[:, None] / np.sqrt(values[kept]))
-    return np.asarray(few.reshape(n, q, -1))
+    few = flat @ (vectors[:, kept] / length[:, None])
+    return np.asarray((few if common else few / np.sqrt(values[kept])).reshape(n, q, -1))
 
 
-def span_of_combinations(columns: Array, mix: Array, times: Array, tolerance: float = 1e-8) -> Array:
+def span_of_combinations(
+    columns: Array, mix: Array, times: Array, tolerance: float = 1e-8, *, common: bool = False
+) -> Array:
     """The same for the columns that `mix` (m, p) makes of fewer (n, q, m)."""
     n, q, m = columns.shape
     basis, triangle = np.linalg.qr(columns.reshape(n * q, m))
     made = triangle @ mix
     made *= np.sqrt(times) / np.maximum(np.linalg.norm(made, axis=0), 1e-150)
     left, size, _ = np.linalg.svd(made, full_matrices=False)
-    return np.asarray((basis @ left[:, size**2 > tolerance * size[0] ** 2]).reshape(n, q, -1))
+    kept = size**2 > tolerance * size[0] ** 2
+    return np.asarray((basis @ (left[:, kept] * (size[kept] if common else 1.0))).reshape(n, q, -1))

@@ -9,7 +9,9 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.noise.coloured import NullModel
 from labcal.loop.selection.misfit import evidence_over_misfit, misfits
-from labcal.loop.selection.related import beginnings, related, related_columns
+from labcal.loop.selection.related import beginnings, other_forms, related, related_columns
+
+LIKELIEST = 3  # related forms of what is accepted, beside each of which another cause has its evidence
 
 
 def min_material_drop(pool: CandidateSet, accepted: Sequence[Candidate]) -> float:
@@ -37,8 +39,34 @@ def evidence_of_its_own(pool: CandidateSet, accepted: Sequence[Candidate], candi
 
 
 def plain_evidence(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
-    """The evidence beside accepted effects and their related forms [nats]: never less than what is its own."""
-    return pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted))).evidence
+    """The evidence beside accepted effects and their related forms [nats]: never less than what is its own.
+
+    Beside all that the related forms span, or where that is more: beside what they are likely to do.
+    """
+    spanned = pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted))).evidence
+    if spanned >= policy.POLICY.min_evidence:
+        return spanned
+    return max(spanned, evidence_beside_likely_forms(pool, accepted, candidate))
+
+
+def evidence_beside_likely_forms(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
+    """The evidence beside what the related forms of accepted effects are likely to do [nats]: the least of two.
+
+    Beside each that is as likely as the candidate, for what another form does is no other cause; and beside any mixture
+    of them, integrated out: a direction is a priori as wide as it is common among them, and all together as wide as
+    makes the data likeliest. So the hundreds of directions that a large family spans take nothing where the form is
+    whole.
+    """
+    null = pool.null_model(accepted)
+    own = pool.score(candidate, null)
+    forms = other_forms(pool, accepted)
+    if not forms:
+        return own.evidence
+    likely = sorted(pool.score_each(forms, null), key=lambda w: -w.evidence)[:LIKELIEST]
+    rivals = (w.candidate for w in likely if w.evidence >= own.evidence - policy.POLICY.equivalent_nats)
+    beside = (pool.score(candidate, pool.null_model([*accepted, form])).evidence for form in rivals)
+    mixture = evidence_over_misfit(pool, accepted, candidate, related_columns(pool, accepted, common=True))
+    return min([mixture, *beside])
 
 
 def _beside_each(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> Iterator[float]:

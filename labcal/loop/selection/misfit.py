@@ -62,22 +62,27 @@ def evidence_beside_misfit(
 def evidence_over_misfit(
     pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, missed: Sequence[Span]
 ) -> float:
-    """The evidence for a cause [nats] where the null may miss such a function as well, each at its likeliest prior.
-
-    Of very many directions, which are nearly all that a record can hold, only what is across them counts.
-    """
+    """The evidence for a cause [nats] where the null may miss such a function as well, each at its likeliest prior."""
     null = pool.null_model(others)
-    if sum(span.columns.shape[2] for span in missed) > MOST_DIRECTIONS:
-        return pool.score(chosen, pool.null_model(others, missed)).evidence
     gain = likeliest(pool.null_model([*others, chosen]), missed) - likeliest(null, missed)
     return gain - pool.penalty(chosen, pool.score(chosen, null).rank)
 
 
 def likeliest(model: NullModel, missed: Sequence[Span]) -> float:
-    """The log-likelihood [nats] of a model that misses a function of `missed`, or nothing, whichever is likelier."""
+    """The log-likelihood [nats] of a model that misses a function of `missed`, or nothing, whichever is likelier.
+
+    Each direction is a priori as wide as its column is long; of very many the longest count.
+    """
     columns = np.concatenate([span.columns for span in missed], axis=2)
+    if columns.shape[2] > MOST_DIRECTIONS:
+        columns = columns[:, :, np.argsort(-np.einsum("nqc,nqc->c", columns, columns))[:MOST_DIRECTIONS]]
     found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
     return max(found.log, model.null.log)
+
+
+def gain_of(model: NullModel, missed: Sequence[Span]) -> float:
+    """What a function of `missed` adds to the log-likelihood of a model [nats]; zero where nothing is missed."""
+    return likeliest(model, missed) - model.null.log
 
 
 def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
@@ -85,7 +90,7 @@ def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
         driven, carried = (_transformed(pool, chosen, forms) for forms in (_otherwise_driven, _otherwise_carried))
         own = orthogonal_complement(pool.base, pool.transformed_columns(chosen))
         driven = orthogonal_complement(np.concatenate([pool.base, own], axis=2), driven)
-        return Span(principal_span(np.concatenate([driven, carried], axis=2), tolerance=KEPT))
+        return Span(principal_span(np.concatenate([driven, carried], axis=2), tolerance=KEPT, common=True))
 
     return pool.cached("misfit", (chosen,), made)
 
@@ -93,7 +98,7 @@ def _misfit(pool: CandidateSet, chosen: Candidate) -> Span:
 def _mistimed(pool: CandidateSet, chosen: Candidate) -> Span:
     def made() -> Span:
         timed = orthogonal_complement(pool.base, _transformed(pool, chosen, _otherwise_timed))
-        return Span(principal_span(timed, tolerance=KEPT))
+        return Span(principal_span(timed, tolerance=KEPT, common=True))
 
     return pool.cached("mistimed", (chosen,), made)
 

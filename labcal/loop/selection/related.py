@@ -19,14 +19,28 @@ from labcal.model.effects import TIME_CONSTANT
 Array = NDArray[np.float64]
 Distinct = tuple[Candidate, NDArray[np.intp], Array]  # a candidate, places of its columns, how often each occurs
 RANDOM_DIRECTIONS = 3  # on which columns are projected to be compared,
+TINY, COMMON = 1e-8, 1e-5  # of the squares of the largest direction: smaller ones are left out of a span
 DECIMALS = 9  # and to how many they are the same
 
 
-def related_columns(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Span]:
-    """All other candidates of the accepted causes and of related families, as a few columns that span them."""
+def other_forms(pool: CandidateSet, accepted: Sequence[Candidate]) -> list[Candidate]:
+    """All other candidates of the accepted causes and of related families."""
+    parts = (part for one in accepted for part in one.parts)
+    return [c for part in parts for c in related(pool, part, _ids_of_forms(part))]
+
+
+def _ids_of_forms(chosen: Candidate) -> tuple[str, ...]:
+    return chosen.family.id, *chosen.family.extends, *chosen.family.related
+
+
+def related_columns(pool: CandidateSet, accepted: Sequence[Candidate], *, common: bool = False) -> list[Span]:
+    """All other candidates of the accepted causes and of related families, as a few columns that span them.
+
+    Directions are of length one, or as long as they are `common` among candidates of length one.
+    """
     parts = []
     for chosen in (part for one in accepted for part in one.parts):
-        parts += span_of_related(pool, chosen, (chosen.family.id, *chosen.family.extends, *chosen.family.related))
+        parts += span_of_related(pool, chosen, _ids_of_forms(chosen), common=common)
         parts += initial_state_columns(pool, chosen)
     return parts
 
@@ -41,7 +55,8 @@ def initial_state_columns(pool: CandidateSet, chosen: Candidate) -> list[Span]:
 
     def made(tau_s: float) -> Span:
         columns = pool.problem.columns(settling.term.with_shape(replace(own, value=tau_s)))
-        return Span(pool.transformed(columns))
+        columns = pool.transformed(columns)
+        return Span(columns / np.maximum(np.sqrt(np.einsum("nqc,nqc->c", columns, columns)), 1e-300))
 
     taus = [tau_s for tau_s in chosen.family.time_constants(chosen.term) if tau_s > 0]
     return [pool.cached(("initial state", tau_s), (settling,), partial(made, tau_s)) for tau_s in taus]
@@ -65,23 +80,24 @@ def related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list
     ]
 
 
-def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str]) -> list[Span]:
+def span_of_related(pool: CandidateSet, chosen: Candidate, ids: Collection[str], *, common: bool = False) -> list[Span]:
     """The span of all of them; empty where there is none."""
     some = related(pool, chosen, ids)
 
     def made() -> Span:
         distinct = pool.store.memo.get("distinct", some, lambda: _distinct_columns(pool, some))
-        return Span(_span(pool, distinct))
+        return Span(_span(pool, distinct, common=common))
 
-    return [pool.cached("span", some, made)] if some else []
+    return [pool.cached(("span", common), some, made)] if some else []
 
 
 def _may_be_missed(chosen: Candidate, other: Candidate) -> bool:
     return other.family.id != chosen.family.id or chosen.family.may_be_missed(chosen.term, other.term)
 
 
-def _span(pool: CandidateSet, distinct: Sequence[Distinct]) -> Array:
+def _span(pool: CandidateSet, distinct: Sequence[Distinct], *, common: bool) -> Array:
     """The span of these columns; of those that are made of fewer, by what they are made of."""
+    smallest = COMMON if common else TINY
     mixes: dict[ColumnGroup, list[Array]] = {}
     counted: dict[ColumnGroup, list[Array]] = {}
     parts, alone = list[Array](), list[Array]()
@@ -94,13 +110,13 @@ def _span(pool: CandidateSet, distinct: Sequence[Distinct]) -> Array:
             mixes.setdefault(home[0], []).append(home[0].whitened.mix[:, home[1], places])
             counted.setdefault(home[0], []).append(times)
     if not mixes:
-        return principal_span(np.concatenate(parts, axis=2), np.concatenate(alone))
+        return principal_span(np.concatenate(parts, axis=2), np.concatenate(alone), smallest, common=common)
     from scipy.linalg import block_diag
 
     columns = np.concatenate([*parts, *(pool.transformed_group(group).made_of for group in mixes)], axis=2)
     each = [np.eye(sum(map(len, alone))), *(np.concatenate(mix, axis=1) for mix in mixes.values())]
     times = np.concatenate([*alone, *itertools.chain(*counted.values())])
-    return span_of_combinations(columns, block_diag(*each), times)
+    return span_of_combinations(columns, block_diag(*each), times, smallest, common=common)
 
 
 def _distinct_columns(pool: CandidateSet, related: Sequence[Candidate]) -> list[Distinct]:

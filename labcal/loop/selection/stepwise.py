@@ -8,6 +8,7 @@ not given another name.
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,17 +20,21 @@ from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.parallel import parallel_map
 from labcal.loop.selection.admission import (
     earns_its_extension,
+    evidence_beside_likely_forms,
     evidence_of_its_own,
     is_its_own,
+    material_beside,
     min_material_drop,
     plain_evidence,
 )
+from labcal.loop.selection.misfit import gain_of
 from labcal.loop.selection.pairs import score_pairs
 from labcal.loop.selection.related import related_columns
 from labcal.loop.selection.sets import best_set, pruned_beside
 from labcal.loop.selection.time_or_channel import is_of_time
 
 MAX_EFFECTS = 3  # effects accepted at most
+NEAREST = 8  # causes that are scored beside what the accepted effects' forms are likely to do
 NEARLY_WHITE = 1.5  # times the white level: no frequency of the noise left has more
 
 
@@ -53,6 +58,7 @@ def stepwise_forward(
         rankings.append(ranking)
         barred = out_of_play if accepted else {*out_of_play, *later}
         best = best_admissible(pool, accepted, [w for w in ranking if w.candidate.cause not in barred])
+        best = best or best_beside_likely_forms(pool, accepted, [c for c in open_to if c.cause not in barred])
         whole = best_set(pool, accepted, barred)
         if whole is not None and whole.evidence > max(best.evidence if best else 0.0, policy.POLICY.min_evidence):
             best, rankings[-1] = whole, [whole, *ranking]
@@ -114,6 +120,25 @@ def best_admissible(pool: CandidateSet, accepted: Sequence[Candidate], ranking: 
     earning = (w if earns_its_extension(pool, accepted, w) else _begun_where_it_is(pool, accepted, w) for w in fit)
     own = (w for w in earning if w is not None and w.drop >= least and is_its_own(pool, accepted, w))
     return next((w for w in own if is_of_time(pool, accepted, w.candidate)), None)
+
+
+def best_beside_likely_forms(
+    pool: CandidateSet, accepted: Sequence[Candidate], open_to: Sequence[Candidate]
+) -> Scored | None:
+    """The best that is material and earns its place where the accepted effects have likely forms, not any at all.
+
+    Beside it what these forms may still do has to have less evidence than it has itself.
+    """
+    forms = related_columns(pool, accepted, common=True)
+    if not forms:
+        return None
+    least, law = material_beside(pool, pool.null_model(accepted)), policy.POLICY
+    near = [w for w in pool.rank(open_to, accepted)[:NEAREST] if w.evidence >= law.min_evidence and w.drop >= least]
+    own = [replace(w, evidence=evidence_beside_likely_forms(pool, accepted, w.candidate)) for w in near]
+    sure = sorted((w for w in own if w.evidence >= law.min_evidence), key=lambda w: -w.evidence)
+    leads = (w for w in sure if gain_of(pool.null_model([*accepted, w.candidate]), forms) <= w.evidence)
+    earning = (w for w in leads if earns_its_extension(pool, accepted, w) and is_its_own(pool, accepted, w))
+    return next((w for w in earning if is_of_time(pool, accepted, w.candidate)), None)
 
 
 def _begun_where_it_is(pool: CandidateSet, accepted: Sequence[Candidate], found: Scored) -> Scored | None:
