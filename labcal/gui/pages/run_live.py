@@ -320,6 +320,7 @@ class Live(QWidget):
         self.prompt.say_lab(now, words if mark == "warning" else "")
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
+        self.prompt.say_moved(self._run.moved.words(by_the_wall=not self._run.virtual_time))
         words, mark, waits = kept_out(self._run, now)
         self.prompt.say_kept_out(words, mark, waits=waits)
         self.hands.show_state(self._app_state.lab.state, paused=self._run.state == "paused")

@@ -7210,6 +7210,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What moved while an instrument was silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Who names another serial</source>
         <translation type="unfinished"></translation>
     </message>

@@ -7211,6 +7211,10 @@ diesem Schritt …</translation>
         <translation>Wie der Tisch steht</translation>
     </message>
     <message>
+        <source>What moved while an instrument was silent</source>
+        <translation>Was sich bewegt hat, während ein Gerät schwieg</translation>
+    </message>
+    <message>
         <source>Who names another serial</source>
         <translation>Wer eine andere Seriennummer nennt</translation>
     </message>

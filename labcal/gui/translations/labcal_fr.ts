@@ -7211,6 +7211,10 @@ cette étape …</translation>
         <translation>État de la plateforme</translation>
     </message>
     <message>
+        <source>What moved while an instrument was silent</source>
+        <translation>Ce qui a bougé pendant qu’un instrument se taisait</translation>
+    </message>
+    <message>
         <source>Who names another serial</source>
         <translation>Qui nomme un autre numéro de série</translation>
     </message>

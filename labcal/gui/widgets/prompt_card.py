@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -26,6 +25,7 @@ from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
+from labcal.gui.widgets.answer_words import MOUNTING, WORDS, answer_label, unbroken
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
 from labcal.gui.widgets.flow import Flow
@@ -38,49 +38,8 @@ from labcal.record.stream import Prompt
 CALLS_EVERY_MS = 20_000  # while nobody answers
 WORDED, PICTURED = 3, 2  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
-MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
 FILE = "file"  # in a prompt's drawing: the words are the path of one
-ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
-    MOUNTING: "Mounted",
-    "reference_m": "Placed",
-    "reference_turned": "Placed",
-    "dut_away": "Taken away",
-    "half": "Leads swapped",
-    "mode": "Switched",
-    "load": "Switched",
-    "motor-off": "Switched off",
-    "motor-on": "Switched on",
-    "warm": "Warmed",
-    READY: "Hands off: begin",
-}
-WORDS = {
-    "done": "Done",
-    "yes": "Yes",
-    "no": "No",
-    "stop": "Stop the run",
-    "retry": "Hands off: try again",
-    "remount": "Mount it again",
-    "skip": "Skip this step",
-    "send": "Send",
-}
-
-
-def unbroken(text: str) -> str:
-    """`text` with each number on the line of its unit."""
-    return re.sub(r"(?<=\d) (?=[µnm]?[TAKms°]\b|°)", "\N{NO-BREAK SPACE}", text)
-
-
-def answer_label(prompt: Prompt, choice: str) -> str:
-    """What stands on the button of an answer: what it says has been done, or is to be done."""
-    redo, _, axis = choice.partition(" ")
-    if redo == "redo":
-        return translated("Redo axis {0}").format(axis.upper())
-    if choice == "done":
-        if prompt.drawing.get("reversed") is False:  # the leads of a half
-            return translated("Leads put back")
-        return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
-    return translated(WORDS.get(choice, choice))
 
 
 class PromptCard(Card):
@@ -113,13 +72,15 @@ class PromptCard(Card):
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
         self.stands.setAccessibleName(self.tr("How the platform is"))
-        self.serials = label("", wrap=True)
+        self.moved, self.serials = label("", wrap=True), label("", wrap=True)
+        self.moved.setAccessibleName(self.tr("What moved while an instrument was silent"))
         self.serials.setAccessibleName(self.tr("Who names another serial"))
         set_state(self.serials, "warning")
         self.anew = label(
             self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
         )
-        for said in (self.hands, self.details, self.text.below, self.serials, self.lab, self.stands, self.anew):
+        told = self.details, self.moved, self.text.below, self.serials
+        for said in (self.hands, *told, self.lab, self.stands, self.anew):
             words.addWidget(said)  # the gravest first: they roll where there is no room for all
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
@@ -269,6 +230,11 @@ class PromptCard(Card):
     def say_anew(self, *, anew: bool) -> None:
         """That where the platform stood before an interruption is forgotten: beside the first question after it."""
         self.anew.setVisible(anew and bool(self.stands.text()))
+
+    def say_moved(self, words: str) -> None:
+        """What a silence has moved, once everybody answers again; "" where there was none."""
+        self.moved.setText(words)
+        self.moved.setVisible(bool(words) and not self._lost)
 
     def say_serials(self, others: Sequence[tuple[str, str]]) -> None:
         """Who names another serial than is stated, where something is mounted or a serial is asked for."""
