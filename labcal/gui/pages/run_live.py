@@ -35,6 +35,7 @@ from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.step_list import StepList
 from labcal.gui.widgets.time_left import TimeLeft
 from labcal.gui.widgets.verdict_card import VerdictCard
+from labcal.gui.widgets.whole_card import UncutCard
 
 FRAME_MS, LOCI_EVERY = 40, 12  # the latter in frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
@@ -165,7 +166,7 @@ class Live(QWidget):
             self._app_state.request(KeepPhoto(seen), lambda kept: self._run.note(words, **kept))
 
     def _live_card(self) -> Card:
-        card = Card()
+        card = UncutCard()
         self.headline = RunHeadline(self._theme)
         self.hands = PausedHands()
         self.turn = CoveredBar()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QPaintEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -27,22 +27,23 @@ from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself
 from labcal.gui.viewmodels.run import SERIAL
 from labcal.gui.widgets.answer_words import MOUNTING, WORDS, answer_label, unbroken
 from labcal.gui.widgets.camera_view import CameraView
-from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
+from labcal.gui.widgets.common import button, label, named, plain, set_state
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.gui.widgets.order_label import OrderLabel
 from labcal.gui.widgets.rolled import Rolled
+from labcal.gui.widgets.whole_card import UncutCard
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
-WORDED, PICTURED = 3, 2  # of the width, for words and drawing
+WORDED, PICTURED = 2, 1  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 
 
-class PromptCard(Card):
+class PromptCard(UncutCard):
     """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices.
 
     `calls` when it comes up, and again and again until it is answered. Its buttons are dead (disabled) for the first
@@ -155,13 +156,6 @@ class PromptCard(Card):
         if self._unseen and self._prompt is not None:
             self._unseen = False
             self.dead.start(DEAD_MS)
-
-    def event(self, event: QEvent) -> bool:
-        """All that is said has its room at this width: a page that is too low rolls, and cuts nothing."""
-        done, layout = super().event(event), self.layout()
-        if layout is not None and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
-            self.setMinimumHeight(layout.totalMinimumHeightForWidth(self.width()))
-        return done
 
     def showEvent(self, event: QShowEvent) -> None:
         """Seen anew: nobody knows what was clicked just before."""
