@@ -140,11 +140,14 @@ def test_at_rest_a_supply_that_falls_silent_lets_nobody_in_after_that(real, monk
     app_state.watch.stop()  # and whoever waits for its answer
     app_state.watch.round.took(COILS, 0.1)
     by_s = app_state.watch.round.by_s
+    monkeypatch.setattr(lab_watch.time, "monotonic", lambda: now)
     for silent_s, state in ((1.0, "good"), (by_s - 0.1, "good"), (by_s + 0.1, "warning")):
         known = app_state.known.shifted(now - silent_s - app_state.known.coils[0].read_s)
         app_state.take_lab(replace(known, platform=stands()))
         assert real.side.hands.property("state") == state, (silent_s, real.side.hands.text())
     assert real.side.hands.text() == "▲ Hands off: the coils are not being read"  # with no age, as of what is fresh
+    app_state.take_lab(replace(known, platform=stands(age_s=2.5)))  # which waits for the supplies' answer
+    assert real.side.hands.text() == "▲ Hands off: the coils are not being read"
     assert by_s <= WANTED_S
 
 
@@ -157,6 +160,15 @@ def test_between_two_looks_at_the_reference_the_coils_are_read_and_it_stays_gree
     assert "3 s ago" in real.side.hands.text()
     real.app_state.take_lab(lab(platform=stands(), witness=replace(seen, read_s=now - WATCHED_S - 1.5)))
     assert real.side.hands.property("state") == "alone"
+
+
+@pytest.mark.parametrize(("old_s", "says"), [(1.0, ""), (2.8, ""), (3.1, ", 3 s ago")])
+def test_what_is_looked_at_in_time_has_no_age_that_comes_and_goes(real, old_s, says):
+    """The platform is looked at every other second, and answers a little later: the words would jump each time."""
+    now = time.monotonic()
+    agreed = Witness("agrees", "", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 2000.0, now)
+    real.app_state.take_lab(lab(platform=stands(age_s=old_s), witness=agreed))
+    assert real.side.hands.text() == f"✓ Hands may go in: coils at zero, by their supplies and by the field{says}"
 
 
 def test_the_clock_of_the_watch_is_that_of_its_round():

@@ -7242,6 +7242,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>No: nothing is measured, and the run ends. Yes: the record says that you answered so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>

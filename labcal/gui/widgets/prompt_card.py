@@ -40,6 +40,7 @@ CALLS_EVERY_MS = 20_000  # while nobody answers
 WORDED, PICTURED = 2, 1  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
+ANOTHER_DUT = "another-dut"  # the question whether a DUT that names another serial is measured all the same
 FILE = "file"  # in a prompt's drawing: the words are the path of one
 
 
@@ -307,6 +308,8 @@ class PromptCard(UncutCard):
                 "would tell."
             )
             by_key = f"{by_key} {cost}".strip()
+        if prompt.key == ANOTHER_DUT:
+            by_key = self.tr("No: nothing is measured, and the run ends. Yes: the record says that you answered so.")
         if prompt.key == STANDS:
             by_key = f"{self._what_no_means()} {by_key}".strip()
         self.hint.setText(

@@ -32,5 +32,6 @@ class UncutCard(Card):
         """A page that is too low rolls, and cuts nothing."""
         done, layout = super().event(event), self.layout()
         if layout is not None and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
-            self.setMinimumHeight(layout.totalMinimumHeightForWidth(self.width()))
+            least = layout.totalMinimumHeightForWidth(self.width())
+            self.setMinimumHeight(max(0, least))  # where nothing is wrapped Qt says -1
         return done
