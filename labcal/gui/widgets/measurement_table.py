@@ -84,7 +84,7 @@ class Table(QTableWidget):
             self._keep_headings()
 
     def _keep_headings(self) -> None:
-        """What takes the room that is left takes no less than its heading needs, and all of it where the table rolls."""
+        """What takes the room that is left takes no less than its heading needs; all of it where the table rolls."""
         header, mode = self.horizontalHeader(), QHeaderView.ResizeMode
         if self._keeping:
             return
