@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QPaintEvent, QShowEvent
+from PySide6.QtGui import QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
@@ -37,7 +37,7 @@ from labcal.gui.widgets.whole_card import UncutCard
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
-WORDED, PICTURED = 2, 1  # of the width, for words and drawing
+WORDED, PICTURED = 3, 2  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
 ANOTHER_DUT = "another-dut"  # the question whether a DUT that names another serial is measured all the same
@@ -94,7 +94,8 @@ class PromptCard(UncutCard):
         self._buttons = Flow(left=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addWidget(Rolled(words, self.hands), WORDED)
+        self._rolled = Rolled(words, self.hands)
+        row.addWidget(self._rolled, WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -131,8 +132,7 @@ class PromptCard(UncutCard):
         self._say_what_to_do()
         self.drawing.show_drawing(prompt.drawing)
         self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
-        pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
-        self._row.setStretch(1, PICTURED * pictured)  # else Qt keeps half of the card for what is hidden
+        self._share_width()
         self.hint.setMinimumHeight(0)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
@@ -142,6 +142,18 @@ class PromptCard(UncutCard):
         )
         self._make_buttons(prompt)
         self._die()
+
+    def _share_width(self) -> None:
+        """Between words and drawing; where that is hidden Qt would keep half of the card for it."""
+        pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
+        usual = self._row.geometry().width() * WORDED // (WORDED + PICTURED)
+        share = 1 if self._rolled.crowded(usual) else PICTURED  # what is said of hands comes first
+        self._row.setStretch(1, pictured * share)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width: other lines."""
+        super().resizeEvent(event)
+        self._share_width()
 
     def _die(self) -> None:
         """Take no answer before the question has been seen for a second."""
@@ -219,6 +231,7 @@ class PromptCard(UncutCard):
 
     def _show_hands(self) -> None:
         known = bool(self.lab.text())
+        self._share_width()
         self.hands.setVisible(known and self._reached_into)
         self.lab.setVisible(known and not (self._reached_into and self._said_once))
 
