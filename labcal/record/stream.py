@@ -142,6 +142,7 @@ NOT_USED = (
 OTHER_SERIAL = "other-serial"  # an Event of this kind: an instrument names another serial than is stated
 COVERAGE = "coverage"  # an Event of this kind: a turn has not seen a stretch of the circle that matters
 BY, PROCEDURE = "by", "procedure"  # in the data of a note: that no person wrote it
+MEANWHILE = "meanwhile"  # an Event of this kind: what moved while an instrument was silent
 RESUMED = "resumed"  # an Event of this kind: an interrupted run is gone on with
 SLOW_DISK = "slow-disk"  # an Event of this kind is told and not kept: rows wait in memory for a busy disk
 NOT_KEPT = "not-kept"  # an Event of this kind: the store does not take what is recorded, or not yet

@@ -8,9 +8,8 @@ from labcal.bench.bench import Bench
 from labcal.bench.coils.state import PlatformReading, Vector
 from labcal.bench.streams.reconnect import AWAY
 from labcal.errors import InstrumentError
-from labcal.record.stream import FAULT, Block, Event, Item
+from labcal.record.stream import FAULT, MEANWHILE, Block, Event, Item
 
-MEANWHILE = "meanwhile"  # the kind of the event
 BACK = ("heard again", "reconnected")
 SETTLES_S = 3.0  # so long after the last one is back the reference has to look at the zero
 
@@ -60,7 +59,11 @@ class Meanwhile:
         now = None if stands is None else stands.angle_deg
         fields = (seen.expected_nT, seen.seen_nT) if looked and bench.cage.check.zero_expected else (None, None)
         text = words(before, now, *fields)
-        data = {"angle_deg": [before, now], "field_nT": [None if one is None else list(one) for one in fields]}
+        data = {
+            "angle_deg": [before, now],
+            "field_nT": [None if one is None else list(one) for one in fields],
+            "utc": bench.clock.utc().isoformat(),
+        }
         return Event(now_s, MEANWHILE, text, data) if text else None
 
 

@@ -170,8 +170,8 @@ def test_the_reading_that_confirmed_the_zero_is_shown_in_the_panel_the_table_and
     still.open_page("Bench")
     now = time.monotonic()
     seen = (20_400.0, 1_150.0, -43_700.0)
-    app_state.run.reading["reference"] = ("x", "y", "z"), np.array([50_000.0, 0.0, 0.0])  # with the coils on
-    app_state.run.read_s["reference"] = now - 9.0
+    app_state.run.last.values["reference"] = ("x", "y", "z"), np.array([50_000.0, 0.0, 0.0])  # with the coils on
+    app_state.run.last.read_s["reference"] = now - 9.0
     coils = tuple(CoilReading(axis, 0.0, 0.0, True, True, now) for axis in "xyz")
     before = LabState(coils, Witness("agrees", "", seen, seen, 0.0, 2e3, now))
     for field in (FieldReading(), FieldReading(None, (50_000.0, 0.0, 0.0), now - 9.0)):

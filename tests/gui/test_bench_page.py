@@ -244,3 +244,18 @@ def test_no_name_of_an_axis_of_the_cage_reaches_out_of_its_place_in_letters_of_a
                 half = half_px(width, height, share, name_px)
                 assert REACH * half + name_px / 2 <= min(width, height) / 2 + 1e-9
     assert half_px(400.0, 400.0, 0.34, 16.0) == pytest.approx(136.0)  # with room enough it is as large as ever
+
+
+def test_who_answered_is_whole_where_the_table_is_rolled_anyway(still, bench, qtbot):
+    """It was cut behind the bar, and nobody there sees a tip."""
+    before, facts = still.size(), still.app_state.facts
+    still.resize(1024, 700)
+    named = "Thurlby Thandar PL303-P, 123450, 1.02-3.07"
+    said = (InstrumentAnswer(name, one.role, one.link, named) for name, one in facts.instruments.items())
+    still.app_state.take_identified(Identified(tuple(said)))
+    bench.show_readings()
+    table, column = bench.table, HEADINGS.index("who answered")
+    qtbot.waitUntil(lambda: table.columnWidth(column) >= table.sizeHintForColumn(column))
+    assert table.horizontalScrollBar().maximum() > 0
+    assert table.text(1, column).endswith(named)
+    still.resize(before)

@@ -26,8 +26,8 @@ from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.translations.sentences import form_of, of_this_bench
 from labcal.gui.viewmodels.failed_step import asked_text
 from labcal.gui.viewmodels.may_answer import acting
+from labcal.gui.widgets.answer_words import WORDS
 from labcal.gui.widgets.hold_button import HOLD_MS, HoldButton, heard_ms
-from labcal.gui.widgets.prompt_card import WORDS
 from labcal.record.stream import FAULT, Prompt
 from labcal.runner import find, run_procedure
 from labcal.runner.prompts import first_choice

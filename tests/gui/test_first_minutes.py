@@ -209,7 +209,7 @@ def test_a_reading_on_the_bench_page_is_the_sensors_own_and_as_old_as_it_is(stil
     row = next(n for n in range(page.table.rowCount()) if page.table.text(n, 1) == name)
     page.show_readings()
     assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count"
-    app_state.run.read_s[name] -= 51.0
+    app_state.run.last.read_s[name] -= 51.0
     app_state.take_identified(Identified((InstrumentAnswer(name, "dut", "emulated://", "CSV lines"),)))
     page.show_readings()
     assert page.table.text(row, 4) == "+1.0  +2.0  +3.0 count   51 s ago"

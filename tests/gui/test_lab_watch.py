@@ -129,6 +129,15 @@ def test_one_button_reads_all_and_says_who_answered(qtbot, still):
     assert not still.side.read_all.isEnabled()  # the run reads them itself
 
 
+def test_where_somebody_was_slow_while_a_person_had_all_read_it_is_looked_at_once_more(still, monkeypatch):
+    """What the quick ones said is old by then."""
+    app_state, begun = still.app_state, time.monotonic()
+    app_state.watch.read_all()
+    monkeypatch.setattr(lab_watch.time, "monotonic", lambda: begun + LOOK_S + 1.0)
+    read(still)
+    assert read(still).names == SUPPLIES
+
+
 def test_what_another_process_has_stays_as_it_was_known(still):
     app_state = lost_in_a_run(still)
     app_state.watch.read_all()

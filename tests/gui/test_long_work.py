@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtCore import Qt
 from test_calibration_views import LINES
+from test_choose import told_by_the_loop
 from test_path import RUN
 
 from labcal.gui.ipc.answers import FitFigures, Fitted
@@ -135,10 +136,23 @@ def test_what_was_traced_is_not_to_be_traced_again(still, studied, verdict, next
     assert page.verdict.text().startswith("ml: ▲ The map alone is not enough yet")
     assert next_words in page.verdict.text()
     assert page.verdict.text().count("Trace") == (0 if verdict else 1)
-    assert page.trace.text() == button
+    assert (page.trace.text(), page.trace.objectName()) == (button, "" if verdict else "primary")
     page.trace.click()
     assert still.page_shown() == "Loop"
     assert bool(worker.commands(CloseLoop)) == (not verdict)
+
+
+def test_what_was_traced_in_this_session_is_known_before_the_store_has_it(still, studied):
+    still.app_state.path.take_runs((replace(RUN, run_id=studied.run),))
+    still.open_page("Fit")
+    page, worker = still.page("Fit"), still.app_state.fit_worker
+    studied.fit("ml")
+    worker.answer(FitRun, fitted(20.0, 10.0))
+    studied.close_loop()
+    worker.answer(CloseLoop, told_by_the_loop(None))
+    page.idle_queue.finish()
+    assert page.trace.text() == "See what was found"
+    assert "The residual was traced: ? AMBIGUOUS." in page.verdict.text()
 
 
 @pytest.mark.parametrize("left_nT", [11.0, None])

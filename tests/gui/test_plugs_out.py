@@ -2,16 +2,19 @@
 
 import time
 from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
-from test_hands_in_the_cage import STEPS, headline, says, send
+from test_hands_in_the_cage import MOUNT, STEPS, headline, says, send
+from test_hands_in_the_cage import real as real
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness
 from labcal.bench.guardian.wire import TRIED_AGAIN
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.ipc.wire import Fault
-from labcal.record.stream import Prompt, Step
+from labcal.record import Segment
+from labcal.record.stream import MEANWHILE, Event, Prompt, SegmentOpened, Step
 
 
 @pytest.fixture
@@ -66,6 +69,34 @@ def test_a_refused_hands_off_keeps_its_question_and_its_button_is_grey(running, 
     assert card.choices["done"].isEnabled()
     assert card.details.text() == "dut: answers again"
     assert card.text.text().replace("\N{NO-BREAK SPACE}", " ") == f"Next: {asked}"
+
+
+def test_what_a_silence_has_moved_stands_on_the_card_until_the_next_turn(real, monkeypatch):
+    """It was in the bottom line alone, where nobody looks who has just put a plug in."""
+    monkeypatch.setattr(real.app_state.run, "virtual_time", False)
+    real.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    real.open_page("Run")
+    card, at = real.page("Run").live.prompt, datetime.now(UTC)
+    choices, drawing = ("stop", "retry"), {"no_answer": "stage", "what": "stage: silent."}
+    send(real, Step(0.0, 1, 4, "zero", 60.0, STEPS, 20.0), Prompt(3.0, "failed-zero", "lost", choices, drawing=drawing))
+    says(real, platform=stands(), faulty=("stage",))
+    assert not card.moved.isVisible()
+    says(real, platform=stands())
+    moved = "after the silence: platform 40.0° before, 57.3° now"
+    send(real, Event(9.0, MEANWHILE, moved, {"utc": at.isoformat()}))
+    says(real, platform=stands())
+    assert card.text.text() == "Every instrument answers again."
+    assert card.moved.isVisible()
+    assert card.moved.text() == f"{at.astimezone():%H:%M:%S}: {moved}"  # "now" was then
+    says(real, platform=stands(), faulty=("stage",))
+    assert not card.moved.isVisible()  # it may move anew
+    says(real, platform=stands())
+    real.app_state.run.answer("retry")
+    send(real, Prompt(10.0, "ready", "Hands off?", ("done",), True))
+    assert card.moved.isVisible()  # whoever was asked before it was known is told as well
+    real.app_state.run.answer("done")
+    send(real, SegmentOpened(11.0, Segment("x+20uT-nominal", "rotation")), replace(MOUNT, t_s=12.0))
+    assert not card.moved.isVisible()
 
 
 def test_a_second_click_on_go_on_hits_nothing(running, qtbot):

@@ -43,6 +43,16 @@ def test_nothing_is_said_of_the_coils_here_that_the_bench_does_not_say():
     assert {piece for piece in pieces if piece not in said} == set()
 
 
+def test_no_form_is_hidden_by_a_shorter_one_before_it():
+    """The question whether another DUT is measured all the same was half in German: the first form that fits counts."""
+    hidden = []
+    for form in FORMS:
+        names = (f"Q{letter}7" for letter in "ABCDEFGHIJ")
+        found = form_of(re.sub(r"\{\d\}", lambda _, names=names: next(names), form))
+        hidden += [(form, found)] if found is None or found[0] != form else []
+    assert hidden == []
+
+
 def test_every_sentence_about_the_coils_has_a_form():
     def coils(*amperes, fault=""):
         return tuple(CoilReading(a, None, i, i == 0.0, True, 10.0, fault) for a, i in zip("xyz", amperes, strict=True))

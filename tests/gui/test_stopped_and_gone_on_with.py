@@ -231,6 +231,17 @@ def test_a_refused_go_on_leaves_the_steps_the_bar_and_what_was_drawn_as_they_wer
     assert len(run.drawn.rows(earlier=True)) == 0  # it is measured again
 
 
+def test_what_is_said_in_the_middle_is_of_now_when_it_comes_into_sight(running):
+    live, worker, seen = running.page("Run").live, running.app_state.bench_worker, []
+    worker.items.emit((Prompt(1.0, "ready", "The coils go to 20 µT. Hands off?", ("done",), True),))
+    live.draw()
+    asked = live.headline.text()
+    live.middle.currentChanged.connect(lambda _: seen.append(live.headline.text()))
+    running.app_state.run.stop()
+    live.draw()
+    assert seen == [live.headline.text()] != [asked]
+
+
 def text_of(steps):
     return [steps.item(row).text() for row in range(steps.count())]
 

@@ -1,5 +1,6 @@
 """At rest the coils are looked at every second: a silent supply is missed soon, a late answer alarms nobody."""
 
+import math
 import time
 from dataclasses import replace
 from itertools import pairwise
@@ -10,6 +11,7 @@ from test_hands_in_the_cage import real as real
 
 from labcal.bench.coils.state import Witness
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels import lab_watch
 from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.gui.viewmodels.watch_round import COILS_S, LATE_S, WatchRound
@@ -45,7 +47,9 @@ def test_the_coils_wait_for_one_answer_at_most(took):
     longest = max(b - a for a, b in pairwise(coils))
     assert longest <= COILS_S + max([0.15, *took.values()])
     for name in ("dut", "reference", "stage"):
-        assert sum(who == (name,) for who, _ in asked) >= 5, "nobody is forgotten"
+        times = [at_s for who, at_s in asked if who == (name,)]
+        assert len(times) >= 5, "nobody is forgotten"
+        assert min(b - a for a, b in pairwise(times)) > COILS_S, "the coils alone are asked so often"
 
 
 def test_who_is_read_by_somebody_else_is_not_asked_on():
@@ -73,6 +77,51 @@ def test_supplies_that_are_slow_as_a_rule_are_not_missed_each_time():
     looks = WatchRound(is_coil)
     looks.took(COILS, 1.2)
     assert 2 * 1.2 < looks.by_s <= WATCHED_S
+    looks = WatchRound(is_coil)
+    looks.took(COILS, 3.0)
+    assert looks.by_s == WATCHED_S, "however slow: what is older lets nobody in"
+
+
+def test_how_long_a_silent_supply_is_waited_for_makes_it_no_slow_one():
+    looks = WatchRound(is_coil)
+    looks.took(COILS, 0.1)
+    for _ in range(3):
+        looks.took(COILS, 1.5, answered=False)
+    assert looks.by_s <= WANTED_S
+
+
+def test_what_was_learnt_of_the_lines_is_forgotten_with_them():
+    """A run has had them since: they are opened anew, and who was slow may be quick."""
+    looks = WatchRound(is_coil)
+    looks.took(COILS, 0.1)
+    looks.took(("dut",), 1.5)
+    looks.forget()
+    assert looks.by_s == math.inf
+    looks.took(COILS, 0.1)
+    assert looks.by_s <= WANTED_S
+
+
+def test_whoever_wants_the_lines_ends_the_round(real):
+    watch = real.app_state.watch
+    watch.round.begin((*COILS, "reference"), time.monotonic())
+    watch.stop()
+    assert watch.round.next(time.monotonic()) == ()
+
+
+@pytest.mark.parametrize(
+    "fault", [None, Fault("instrument", "supply_y: no reply")], ids=["all answer", "one is silent"]
+)
+def test_the_round_is_told_how_long_the_supplies_took_where_all_of_them_answered(real, fault):
+    app_state, now = real.app_state, time.monotonic()
+    app_state.watch.stop()
+    app_state.take_lab(lab(platform=stands()))
+    app_state.watch.look()
+    coils = tuple(InstrumentRead(name, f"coil-{name[-1]}", "", "", fault if name == COILS[1] else None, False, now,
+                                 0.0, True) for name in COILS)  # fmt: skip
+    app_state.watch_worker.answer(ReadLab, coils)
+    by_s = app_state.watch.round.by_s
+    app_state.watch.stop()
+    assert math.isfinite(by_s) is (fault is None)
 
 
 def looked(window, at_s):
@@ -91,10 +140,14 @@ def test_at_rest_a_supply_that_falls_silent_lets_nobody_in_after_that(real, monk
     app_state.watch.stop()  # and whoever waits for its answer
     app_state.watch.round.took(COILS, 0.1)
     by_s = app_state.watch.round.by_s
+    monkeypatch.setattr(lab_watch.time, "monotonic", lambda: now)
     for silent_s, state in ((1.0, "good"), (by_s - 0.1, "good"), (by_s + 0.1, "warning")):
         known = app_state.known.shifted(now - silent_s - app_state.known.coils[0].read_s)
         app_state.take_lab(replace(known, platform=stands()))
         assert real.side.hands.property("state") == state, (silent_s, real.side.hands.text())
+    assert real.side.hands.text() == "▲ Hands off: the coils are not being read"  # with no age, as of what is fresh
+    app_state.take_lab(replace(known, platform=stands(age_s=2.5)))  # which waits for the supplies' answer
+    assert real.side.hands.text() == "▲ Hands off: the coils are not being read"
     assert by_s <= WANTED_S
 
 
@@ -107,6 +160,15 @@ def test_between_two_looks_at_the_reference_the_coils_are_read_and_it_stays_gree
     assert "3 s ago" in real.side.hands.text()
     real.app_state.take_lab(lab(platform=stands(), witness=replace(seen, read_s=now - WATCHED_S - 1.5)))
     assert real.side.hands.property("state") == "alone"
+
+
+@pytest.mark.parametrize(("old_s", "says"), [(1.0, ""), (2.8, ""), (3.1, ", 3 s ago")])
+def test_what_is_looked_at_in_time_has_no_age_that_comes_and_goes(real, old_s, says):
+    """The platform is looked at every other second, and answers a little later: the words would jump each time."""
+    now = time.monotonic()
+    agreed = Witness("agrees", "", (0.0, 0.0, 0.0), (0.0, 0.0, 0.0), 0.0, 2000.0, now)
+    real.app_state.take_lab(lab(platform=stands(age_s=old_s), witness=agreed))
+    assert real.side.hands.text() == f"✓ Hands may go in: coils at zero, by their supplies and by the field{says}"
 
 
 def test_the_clock_of_the_watch_is_that_of_its_round():

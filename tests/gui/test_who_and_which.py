@@ -1,12 +1,16 @@
 """The DUT and the operator at the top: what is refused says why at once, and no slip of a key switches coils off."""
 
 import pytest
+from geometry import faults
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
+from test_a_question_keeps_its_places import asking
 
 from labcal.certificate.allowed_signers import check_principal
 from labcal.gui.ipc.messages import SwitchOff
 from labcal.gui.viewmodels.operator_name import name_objection
+from labcal.record.stream import Prompt
+from labcal.runner.another_dut import KEY, NO, YES
 
 TRUSTED = ("jdoe", "ada@lab.example", "a.smith", "a_b-c+d", "007")
 NAMES = ("J. Doe", "Doe, J.", "Sean O'Brien", "Seán O’Brien", "'t Hooft, G.", "Anne-Marie Müller", "山田太郎", "Ольга",
@@ -74,3 +78,11 @@ def test_a_name_tab_space_switches_no_coils_off_and_f12_does(qtbot, still, patie
     assert worker.commands(SwitchOff) == []
     qtbot.keyClick(QApplication.focusWidget() or still, Qt.Key.Key_F12)
     assert len(worker.commands(SwitchOff)) == 1
+
+
+def test_the_question_of_another_serial_says_what_no_does(new_window):
+    text = "dut names itself EM-21, and this run is of EM-07. Measure it as EM-07 all the same?"
+    card = asking(new_window, Prompt(1.0, KEY, text, (NO, YES)), (1024, 700))
+    assert card.hint.text().startswith("No: nothing is measured")
+    assert [made.objectName() for made in card.choices.values()] == ["primary", ""]
+    assert faults(new_window) == []

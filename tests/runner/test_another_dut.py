@@ -6,6 +6,8 @@ from collections.abc import Callable
 from contextlib import closing
 from datetime import UTC, datetime
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
@@ -13,7 +15,7 @@ from labcal.bench import Bench, open_bench
 from labcal.bench.clock import VirtualClock
 from labcal.bench.driver_kit.roles import Identity
 from labcal.errors import InputError
-from labcal.record.stream import Event, Prompt
+from labcal.record.stream import OTHER_SERIAL, Event, Prompt
 from labcal.runner import Outcome, another_dut, find, run_procedure
 from labcal.runner.another_dut import KEY
 from labcal.runner.prompts import first_choice
@@ -86,3 +88,14 @@ def test_one_that_says_nothing_or_what_was_typed_is_not_asked_about(
     outcome, asked, _ = measured(bench_file(), monkeypatch, named, "")
     assert outcome.status == "finished"
     assert KEY not in keys(asked)
+
+
+@pytest.mark.parametrize(("who", "asked"), [("dut", [True, False]), ("reference", [False, False])])
+def test_it_is_asked_of_the_dut_alone_and_once(monkeypatch: pytest.MonkeyPatch, who: str, asked: list[bool]) -> None:
+    found = Event(1.0, OTHER_SERIAL, f"{who} names itself EM-21", {"instrument": who, "stated": "EM-07"})
+    monkeypatch.setattr(another_dut, "other_serials", lambda lab: [found])
+    config = SimpleNamespace(instruments={name: SimpleNamespace(role=name) for name in ("dut", "reference")})
+    lab: Any = SimpleNamespace(config=config, clock=SimpleNamespace(now=lambda: 2.0))
+    mounting = Prompt(2.0, "mount-z", "Mount it.", drawing={another_dut.MOUNTS: []})
+    of_one_run = another_dut.AnotherDut()
+    assert [of_one_run.question(lab, mounting) is not None for _ in range(2)] == asked

@@ -318,7 +318,7 @@ class BenchPage(QWidget):
             name = self.table.text(row, 1)
             role = "" if facts is None else facts.instruments[name].role
             self._show_identity(row, name, role)
-            words, age, said = "–", ages.get(name, ""), run.reading.get(name)
+            words, age, said = "–", ages.get(name, ""), run.last.values.get(name)
             if role.startswith("coil"):
                 current = now.coil_A["xyz".index(role[-1])]
                 words = "–" if current is None else f"{format_number(current, 3)} A"
@@ -328,7 +328,7 @@ class BenchPage(QWidget):
             elif role == "platform" and now.platform_deg is not None:
                 words, age = reading_text(role, (now.platform_deg,)), age_words(now.platform_old_s)
             elif said is not None:
-                age = age_words(old_s(run.read_s[name], time.monotonic()))  # its own: to answer is no reading
+                age = age_words(old_s(run.last.read_s[name], time.monotonic()))  # its own: to answer is no reading
                 words = reading_text(role, said[1]) + (f" {facts.dut.unit}" if facts and role == "dut" else "")
             old = bool(age) and words != "–"
             standing, colour = self._standing(name)

@@ -35,6 +35,7 @@ from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.step_list import StepList
 from labcal.gui.widgets.time_left import TimeLeft
 from labcal.gui.widgets.verdict_card import VerdictCard
+from labcal.gui.widgets.whole_card import UncutCard
 
 FRAME_MS, LOCI_EVERY = 40, 12  # the latter in frames: a locus grows slowly, and is expensive to draw
 SHOWN_S = 120.0  # of the traces
@@ -165,7 +166,7 @@ class Live(QWidget):
             self._app_state.request(KeepPhoto(seen), lambda kept: self._run.note(words, **kept))
 
     def _live_card(self) -> Card:
-        card = Card()
+        card = UncutCard()
         self.headline = RunHeadline(self._theme)
         self.hands = PausedHands()
         self.turn = CoveredBar()
@@ -320,6 +321,7 @@ class Live(QWidget):
         self.prompt.say_lab(now, words if mark == "warning" else "")
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
+        self.prompt.say_moved(self._run.moved.words(by_the_wall=not self._run.virtual_time))
         words, mark, waits = kept_out(self._run, now)
         self.prompt.say_kept_out(words, mark, waits=waits)
         self.hands.show_state(self._app_state.lab.state, paused=self._run.state == "paused")

@@ -133,7 +133,6 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "its operator, {0}, has not the role measure"),
     QT_TRANSLATE_NOOP("Data", "nobody but its operator has signed who has the role release"),
     QT_TRANSLATE_NOOP("Data", "its numbers were not confirmed by its run"),
-    QT_TRANSLATE_NOOP("Data", "its run did not measure {0}"),
     QT_TRANSLATE_NOOP("Data", "Not measured by this run, and held as they stand: {0}."),
     QT_TRANSLATE_NOOP(
         "Data",
@@ -143,6 +142,7 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP(
         "Data", "its run did not measure {0}: nobody can approve that; turn about the other body axes as well"
     ),
+    QT_TRANSLATE_NOOP("Data", "its run did not measure {0}"),
     QT_TRANSLATE_NOOP("Data", "zero, not open"),
     QT_TRANSLATE_NOOP("Data", "{0}: no sample for {1} s."),
     QT_TRANSLATE_NOOP("Data", "{0}: the same reading for {1} s."),

@@ -7210,6 +7210,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What moved while an instrument was silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Who names another serial</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7235,6 +7239,10 @@ after this step …</source>
     </message>
     <message>
         <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No: nothing is measured, and the run ends. Yes: the record says that you answered so.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4345,11 +4345,11 @@
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
-        <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°; Umgebungsfeld vorher {2} nT, jetzt {3} nT</translation>
+        <translation>nach der Stille: Tisch vorher {0}°, jetzt {1}°; Umgebungsfeld vorher {2} nT, jetzt {3} nT</translation>
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now</source>
-        <translation>nach der Stille: Plattform vorher {0}°, jetzt {1}°</translation>
+        <translation>nach der Stille: Tisch vorher {0}°, jetzt {1}°</translation>
     </message>
     <message>
         <source>after the silence: ambient field {0} nT before, {1} nT now</source>
@@ -7211,6 +7211,10 @@ diesem Schritt …</translation>
         <translation>Wie der Tisch steht</translation>
     </message>
     <message>
+        <source>What moved while an instrument was silent</source>
+        <translation>Was sich bewegt hat, während ein Gerät schwieg</translation>
+    </message>
+    <message>
         <source>Who names another serial</source>
         <translation>Wer eine andere Seriennummer nennt</translation>
     </message>
@@ -7237,6 +7241,10 @@ diesem Schritt …</translation>
     <message>
         <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
         <translation>Übersprungen fehlt es, und diese Messung kommt nicht darauf zurück; nur „Achse neu“, wo das beim nächsten Einbau angeboten wird, dreht seine Achse noch einmal. Das Urteil sagt es, und einer Kalibrierung kann fehlen, was es gezeigt hätte.</translation>
+    </message>
+    <message>
+        <source>No: nothing is measured, and the run ends. Yes: the record says that you answered so.</source>
+        <translation>Nein: Nichts wird gemessen, und die Messung endet. Ja: In der Aufzeichnung steht, dass so geantwortet wurde.</translation>
     </message>
     <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>

@@ -4345,11 +4345,11 @@
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
-        <translation>après le silence : plateforme {0}° avant, {1}° maintenant ; champ ambiant {2} nT avant, {3} nT maintenant</translation>
+        <translation>après le silence : plate-forme {0}° avant, {1}° maintenant ; champ ambiant {2} nT avant, {3} nT maintenant</translation>
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now</source>
-        <translation>après le silence : plateforme {0}° avant, {1}° maintenant</translation>
+        <translation>après le silence : plate-forme {0}° avant, {1}° maintenant</translation>
     </message>
     <message>
         <source>after the silence: ambient field {0} nT before, {1} nT now</source>
@@ -7211,6 +7211,10 @@ cette étape …</translation>
         <translation>État de la plateforme</translation>
     </message>
     <message>
+        <source>What moved while an instrument was silent</source>
+        <translation>Ce qui a bougé pendant qu’un instrument se taisait</translation>
+    </message>
+    <message>
         <source>Who names another serial</source>
         <translation>Qui nomme un autre numéro de série</translation>
     </message>
@@ -7237,6 +7241,10 @@ cette étape …</translation>
     <message>
         <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
         <translation>Sautée, elle manque, et cette mesure n&apos;y revient pas ; seul « Refaire l&apos;axe », s&apos;il est proposé au montage suivant, refait tourner son axe. Le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
+    </message>
+    <message>
+        <source>No: nothing is measured, and the run ends. Yes: the record says that you answered so.</source>
+        <translation>Non : rien n’est mesuré, et la mesure prend fin. Oui : l’enregistrement dit que vous avez répondu ainsi.</translation>
     </message>
     <message>
         <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>

@@ -27,12 +27,12 @@ EVENTS = (
     QT_TRANSLATE_NOOP("Data", "{0}: {1} nT is beyond {2} nT; something moved or drifted"),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} is beyond its limit of {2}"),
     QT_TRANSLATE_NOOP("Data", "{0}: not seen: {1}"),
-    QT_TRANSLATE_NOOP("Data", "{0} names itself {1}, and this run is of {2}"),
     QT_TRANSLATE_NOOP("Data", "{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?"),
     QT_TRANSLATE_NOOP(
         "Data",
         "{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.",
     ),
+    QT_TRANSLATE_NOOP("Data", "{0} names itself {1}, and this run is of {2}"),
     QT_TRANSLATE_NOOP("Data", "{0} names itself {1}, and bench.toml states {2}"),
     QT_TRANSLATE_NOOP("Data", "{0} skipped: {1}"),
     QT_TRANSLATE_NOOP("Data", "not used: {0}: {1}"),

@@ -11,7 +11,15 @@ from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import sees_more
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, age_words, as_watched, platform_mark, watched_age_s
+from labcal.gui.viewmodels.lab_now import (
+    LOOK_S,
+    WATCHED_S,
+    LabNow,
+    age_words,
+    as_watched,
+    platform_mark,
+    watched_age_s,
+)
 
 ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
 MAY = "good", ALONE  # the states of a yes
@@ -103,11 +111,13 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
     age_s = watched_age_s(now)
-    if zero and now.coils_late:
-        return hands_words(state.WAS_ZERO, now.platform_words)
+    if zero and now.coils_late:  # whoever has to wait for their answer is not read either
+        return hands_words(state.WAS_ZERO, now.platform_words.partition(",")[0] if stands else now.platform_words)
     if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
         return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
     watched = as_watched(now)
     words, mark = hands_words(watched.coil_words, watched.platform_words)
+    if age_s <= LOOK_S:  # the next look is on time: an age that came and went each time would say nothing
+        return words, mark
     said, apart, why = words.partition("; ")
     return f"{said}, {age_words(age_s)}{apart}{why}", mark

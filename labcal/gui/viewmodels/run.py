@@ -6,8 +6,6 @@ import time
 from collections.abc import Collection, Iterable
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 
 from labcal.bench.coils.state import LabState
@@ -34,7 +32,9 @@ from labcal.gui.viewmodels.covered import Covered, seen_about
 from labcal.gui.viewmodels.drawn import Drawn
 from labcal.gui.viewmodels.failed_step import FAILED, asked_text, ended_by_off, said_of
 from labcal.gui.viewmodels.hands import STOP, says_hands_off
+from labcal.gui.viewmodels.last_readings import LastReadings
 from labcal.gui.viewmodels.last_words import last_words
+from labcal.gui.viewmodels.moved import Moved
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
 from labcal.gui.viewmodels.run_steps import Mark, axis_of, in_turn, left_out, marks_of, name_a_turn
@@ -103,9 +103,7 @@ class RunViewModel(QObject):
         self.lab: LabState | None = None  # by the computer's monotonic clock
         self.unheard = self.pausing = False  # it has not told a window that came back how the lab is; a pause was asked
         self.coils_at_zero: bool | None = None  # when that was read
-        self.reading: dict[str, tuple[tuple[str, ...], NDArray[np.float64]]] = {}  # by source: the last one
-        self.read_s: dict[str, float] = {}  # by source: when that came, by the computer's monotonic clock
-        self._sends_more: set[str] = set()  # sources of which channels are not the main thing
+        self.last, self.moved = LastReadings(), Moved()
         self.dut.clear()
         self.reference.clear()
 
@@ -285,6 +283,7 @@ class RunViewModel(QObject):
         if isinstance(item, Block):
             return self._samples(item)
         self.time.see(item.t_s)
+        self.moved.see(item)
         match item:
             case Step():
                 self.step, self.names = item, item.names or self.names
@@ -356,11 +355,7 @@ class RunViewModel(QObject):
         if len(block) == 0:
             return
         self.time.see(float(block.t_s[-1]))
-        if block.stream != "channel":
-            self._sends_more.add(block.source)
-        if block.stream != "channel" or block.source not in self._sends_more:
-            self.reading[block.source] = (block.columns, block.values[-1])  # what waited came late
-            self.read_s[block.source] = time.monotonic() - (self.time.seen_s - float(block.t_s[-1]))
+        self.last.take(block, self.time.seen_s)
         if block.stream == "dut":
             values = block.values * self.nominal_nT_per_unit
             self.dut.push(block.t_s, values)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QBrush, QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTableWidget, QTableWidgetItem
 
@@ -46,8 +46,11 @@ class Table(QTableWidget):
         if not stretch:  # figures stand beside their names: what room is left is behind the last column
             header.setStretchLastSection(True)
         if stretch:  # what is left may be too little
+            self._written = QTimer(self, interval=0, singleShot=True)  # once for many cells
+            self._written.timeout.connect(self._keep_headings)
             for changed in (header.sectionResized, header.geometriesChanged):
                 changed.connect(self._keep_headings)
+            self.itemChanged.connect(lambda _: self._written.start())
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         copy = QShortcut(QKeySequence.StandardKey.Copy, self, self.copy, context=Qt.ShortcutContext.WidgetShortcut)
         described(copy, self.tr("in a table: its chosen rows to the clipboard, or all"))
@@ -81,7 +84,7 @@ class Table(QTableWidget):
             self._keep_headings()
 
     def _keep_headings(self) -> None:
-        """A column that takes what room is left takes no less than its heading needs."""
+        """What takes the room that is left takes no less than its heading needs; all of it where the table rolls."""
         header, mode = self.horizontalHeader(), QHeaderView.ResizeMode
         if self._keeping:
             return
@@ -93,7 +96,8 @@ class Table(QTableWidget):
             header.setSectionResizeMode(column, mode.Stretch if whole else mode.Interactive)
             if not whole:
                 room -= width
-                header.resizeSection(column, width + (max(0, room) if column == self._stretched[-1] else 0))
+                least = width + (max(0, room) if column == self._stretched[-1] else 0)
+                header.resizeSection(column, max(least, min(self.sizeHintForColumn(column), self.viewport().width())))
         self._keeping = False
 
     def set_headings(self, headings: tuple[str, ...]) -> None:

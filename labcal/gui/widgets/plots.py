@@ -9,20 +9,20 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QObject, QRectF, Qt, QTimer
+from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import MINUS, NARROW_SPACE
+from labcal.gui.widgets.deferred_repaint import DeferredRepaint
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
 LEAST_PX = 96  # of traces: their axis bears its name
 GAP_S = 2.0  # without a reading: no line
 MAX_POINTS = 1500  # points of a locus
-REPAINT_DELAY_MS = 30
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
@@ -68,34 +68,6 @@ class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
     def labelString(self) -> str:
         """The unit, which stands behind two blanks in the name, in brackets."""
         return UNIT.sub(r" (\1)", str(super().labelString()))
-
-
-class DeferredRepaint(QObject):
-    """Has a plot drawn in an event of its own where its size or its theme has changed, once it has come to rest."""
-
-    def __init__(self, widget: QWidget) -> None:
-        super().__init__(widget)
-        self._widget = widget
-        self._over = QTimer(self, interval=REPAINT_DELAY_MS, singleShot=True)
-        self._over.timeout.connect(self._draw)
-        widget.installEventFilter(self)
-
-    def begin(self) -> None:
-        """Draw nothing until it has come to rest."""
-        self._widget.setUpdatesEnabled(False)
-        self._over.start()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Another size: everything in it is drawn anew."""
-        if event.type() == QEvent.Type.Resize:
-            self.begin()
-        return False
-
-    def _draw(self) -> None:
-        if (holder := self._widget.parentWidget()) is not None and not holder.updatesEnabled():
-            return self.begin()  # the whole page is being styled
-        self._widget.setUpdatesEnabled(True)
-        return self._widget.repaint()
 
 
 def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QPaintEvent, QShowEvent
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
@@ -26,64 +25,26 @@ from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
+from labcal.gui.widgets.answer_words import MOUNTING, WORDS, answer_label, unbroken
 from labcal.gui.widgets.camera_view import CameraView
-from labcal.gui.widgets.common import Card, button, label, named, plain, set_state
+from labcal.gui.widgets.common import button, label, named, plain, set_state
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.gui.widgets.order_label import OrderLabel
 from labcal.gui.widgets.rolled import Rolled
+from labcal.gui.widgets.whole_card import UncutCard
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
 WORDED, PICTURED = 3, 2  # of the width, for words and drawing
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
-MOUNTING = "body_from_cage"  # in a prompt's drawing: how the DUT is to stand
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
+ANOTHER_DUT = "another-dut"  # the question whether a DUT that names another serial is measured all the same
 FILE = "file"  # in a prompt's drawing: the words are the path of one
-ASKED = {  # by what the question draws or, where it draws nothing, by its key: what has been done by who answers
-    MOUNTING: "Mounted",
-    "reference_m": "Placed",
-    "reference_turned": "Placed",
-    "dut_away": "Taken away",
-    "half": "Leads swapped",
-    "mode": "Switched",
-    "load": "Switched",
-    "motor-off": "Switched off",
-    "motor-on": "Switched on",
-    "warm": "Warmed",
-    READY: "Hands off: begin",
-}
-WORDS = {
-    "done": "Done",
-    "yes": "Yes",
-    "no": "No",
-    "stop": "Stop the run",
-    "retry": "Hands off: try again",
-    "remount": "Mount it again",
-    "skip": "Skip this step",
-    "send": "Send",
-}
 
 
-def unbroken(text: str) -> str:
-    """`text` with each number on the line of its unit."""
-    return re.sub(r"(?<=\d) (?=[µnm]?[TAKms°]\b|°)", "\N{NO-BREAK SPACE}", text)
-
-
-def answer_label(prompt: Prompt, choice: str) -> str:
-    """What stands on the button of an answer: what it says has been done, or is to be done."""
-    redo, _, axis = choice.partition(" ")
-    if redo == "redo":
-        return translated("Redo axis {0}").format(axis.upper())
-    if choice == "done":
-        if prompt.drawing.get("reversed") is False:  # the leads of a half
-            return translated("Leads put back")
-        return translated(next((ASKED[one] for one in (*prompt.drawing, prompt.key) if one in ASKED), WORDS["done"]))
-    return translated(WORDS.get(choice, choice))
-
-
-class PromptCard(Card):
+class PromptCard(UncutCard):
     """Shows one `Prompt`; `answered` carries the choice, or the text where there are no choices.
 
     `calls` when it comes up, and again and again until it is answered. Its buttons are dead (disabled) for the first
@@ -113,13 +74,15 @@ class PromptCard(Card):
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.lab.setAccessibleName(self.tr("How the coils are"))
         self.stands.setAccessibleName(self.tr("How the platform is"))
-        self.serials = label("", wrap=True)
+        self.moved, self.serials = label("", wrap=True), label("", wrap=True)
+        self.moved.setAccessibleName(self.tr("What moved while an instrument was silent"))
         self.serials.setAccessibleName(self.tr("Who names another serial"))
         set_state(self.serials, "warning")
         self.anew = label(
             self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
         )
-        for said in (self.hands, self.details, self.text.below, self.serials, self.lab, self.stands, self.anew):
+        told = self.details, self.moved, self.text.below, self.serials
+        for said in (self.hands, *told, self.lab, self.stands, self.anew):
             words.addWidget(said)  # the gravest first: they roll where there is no room for all
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
@@ -131,7 +94,8 @@ class PromptCard(Card):
         self._buttons = Flow(left=True)
         row = QHBoxLayout()
         row.setSpacing(2 * GRID)
-        row.addWidget(Rolled(words, self.hands), WORDED)
+        self._rolled = Rolled(words, self.hands)
+        row.addWidget(self._rolled, WORDED)
         self.camera = CameraView()
         pictures = QVBoxLayout()
         for widget in (self.drawing, self.camera):
@@ -168,8 +132,7 @@ class PromptCard(Card):
         self._say_what_to_do()
         self.drawing.show_drawing(prompt.drawing)
         self.serials.setVisible(bool(self.serials.text()) and self._is_of_mounting())
-        pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
-        self._row.setStretch(1, PICTURED * pictured)  # else Qt keeps half of the card for what is hidden
+        self._share_width()
         self.hint.setMinimumHeight(0)
         self.entry.clear()
         self.entry.setVisible(not prompt.choices)
@@ -179,6 +142,18 @@ class PromptCard(Card):
         )
         self._make_buttons(prompt)
         self._die()
+
+    def _share_width(self) -> None:
+        """Between words and drawing; where that is hidden Qt would keep half of the card for it."""
+        pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
+        usual = self._row.geometry().width() * WORDED // (WORDED + PICTURED)
+        share = 1 if self._rolled.crowded(usual) else PICTURED  # what is said of hands comes first
+        self._row.setStretch(1, pictured * share)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Another width: other lines."""
+        super().resizeEvent(event)
+        self._share_width()
 
     def _die(self) -> None:
         """Take no answer before the question has been seen for a second."""
@@ -194,13 +169,6 @@ class PromptCard(Card):
         if self._unseen and self._prompt is not None:
             self._unseen = False
             self.dead.start(DEAD_MS)
-
-    def event(self, event: QEvent) -> bool:
-        """All that is said has its room at this width: a page that is too low rolls, and cuts nothing."""
-        done, layout = super().event(event), self.layout()
-        if layout is not None and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
-            self.setMinimumHeight(layout.totalMinimumHeightForWidth(self.width()))
-        return done
 
     def showEvent(self, event: QShowEvent) -> None:
         """Seen anew: nobody knows what was clicked just before."""
@@ -263,12 +231,18 @@ class PromptCard(Card):
 
     def _show_hands(self) -> None:
         known = bool(self.lab.text())
+        self._share_width()
         self.hands.setVisible(known and self._reached_into)
         self.lab.setVisible(known and not (self._reached_into and self._said_once))
 
     def say_anew(self, *, anew: bool) -> None:
         """That where the platform stood before an interruption is forgotten: beside the first question after it."""
         self.anew.setVisible(anew and bool(self.stands.text()))
+
+    def say_moved(self, words: str) -> None:
+        """What a silence has moved, once everybody answers again; "" where there was none."""
+        self.moved.setText(words)
+        self.moved.setVisible(bool(words) and not self._lost)
 
     def say_serials(self, others: Sequence[tuple[str, str]]) -> None:
         """Who names another serial than is stated, where something is mounted or a serial is asked for."""
@@ -347,6 +321,8 @@ class PromptCard(Card):
                 "would tell."
             )
             by_key = f"{by_key} {cost}".strip()
+        if prompt.key == ANOTHER_DUT:
+            by_key = self.tr("No: nothing is measured, and the run ends. Yes: the record says that you answered so.")
         if prompt.key == STANDS:
             by_key = f"{self._what_no_means()} {by_key}".strip()
         self.hint.setText(

@@ -54,16 +54,27 @@ class Rolled(QScrollArea):
             if self._first is not None and self.minimumHeight() != (least := self._least(layout, self._first)):
                 self.setMinimumHeight(least)
 
+    def crowded(self, width: int) -> bool:
+        """Whether the gravest words, as wide as this, would end below what is always in sight."""
+        layout, first = self._holder.layout(), self._first
+        if layout is None or first is None:
+            return False
+        return self._end(layout, first, width - self.width() + self.viewport().width()) > MOST_PX
+
     def _least(self, layout: QLayout, first: QWidget) -> int:
-        """What stands above the end of the gravest words, at this width."""
+        """What of it is to be in sight without a bar, at this width."""
+        return min(MOST_PX, max(LEAST_PX, self._end(layout, first, layout.geometry().width())))
+
+    def _end(self, layout: QLayout, first: QWidget, width: int) -> int:
+        """What stands above the end of the gravest words; 0 where they are not in sight."""
         high = 0
         for n in range(layout.count()):
             item = layout.itemAt(n)
             widget = None if item is None else item.widget()
             if widget is None or widget.isHidden():
                 continue
-            own = widget.heightForWidth(layout.geometry().width()) if widget.hasHeightForWidth() else 0
+            own = widget.heightForWidth(width) if widget.hasHeightForWidth() else 0
             high += max(own, widget.minimumSizeHint().height(), widget.minimumHeight()) + layout.spacing()
             if widget is first:
-                return min(MOST_PX, max(LEAST_PX, high))
-        return LEAST_PX
+                return high
+        return 0

@@ -1,8 +1,8 @@
-"""A card that is never lower than its wrapped texts."""
+"""Cards that are never lower than their wrapped texts."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QEvent, QSize
 from PySide6.QtGui import QResizeEvent
 
 from labcal.gui.widgets.common import Card
@@ -23,3 +23,15 @@ class WholeCard(Card):
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
+
+
+class UncutCard(Card):
+    """One whose texts have their lines at this width, and whatever else is in it the least that it needs."""
+
+    def event(self, event: QEvent) -> bool:
+        """A page that is too low rolls, and cuts nothing."""
+        done, layout = super().event(event), self.layout()
+        if layout is not None and event.type() in (QEvent.Type.Resize, QEvent.Type.LayoutRequest):
+            least = layout.totalMinimumHeightForWidth(self.width())
+            self.setMinimumHeight(max(0, least))  # where nothing is wrapped Qt says -1
+        return done
