@@ -41,12 +41,13 @@ def evidence_of_its_own(pool: CandidateSet, accepted: Sequence[Candidate], candi
 def plain_evidence(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:
     """The evidence beside accepted effects and their related forms [nats]: never less than what is its own.
 
-    Beside all that the related forms span, or where that is more: beside what they are likely to do.
+    Beside all that the related forms span, or where that is more: beside what they are likely to do; but for what lies
+    wholly within the span, which is one of these forms.
     """
-    spanned = pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted))).evidence
-    if spanned >= policy.POLICY.min_evidence:
-        return spanned
-    return max(spanned, evidence_beside_likely_forms(pool, accepted, candidate))
+    spanned = pool.score(candidate, pool.null_model(accepted, related_columns(pool, accepted)))
+    if spanned.evidence >= policy.POLICY.min_evidence or not spanned.rank:
+        return spanned.evidence
+    return max(spanned.evidence, evidence_beside_likely_forms(pool, accepted, candidate))
 
 
 def evidence_beside_likely_forms(pool: CandidateSet, accepted: Sequence[Candidate], candidate: Candidate) -> float:

@@ -127,7 +127,7 @@ def best_beside_likely_forms(
 ) -> Scored | None:
     """The best that is material and earns its place where the accepted effects have likely forms, not any at all.
 
-    Beside it what these forms may still do has to have less evidence than it has itself.
+    It has to lead by the evidence of a name over what these forms may still do beside it: else they may be what it is.
     """
     forms = related_columns(pool, accepted, common=True)
     if not forms:
@@ -136,7 +136,9 @@ def best_beside_likely_forms(
     near = [w for w in pool.rank(open_to, accepted)[:NEAREST] if w.evidence >= law.min_evidence and w.drop >= least]
     own = [replace(w, evidence=evidence_beside_likely_forms(pool, accepted, w.candidate)) for w in near]
     sure = sorted((w for w in own if w.evidence >= law.min_evidence), key=lambda w: -w.evidence)
-    leads = (w for w in sure if gain_of(pool.null_model([*accepted, w.candidate]), forms) <= w.evidence)
+    leads = (
+        w for w in sure if gain_of(pool.null_model([*accepted, w.candidate]), forms) <= w.evidence - law.min_evidence
+    )
     earning = (w for w in leads if earns_its_extension(pool, accepted, w) and is_its_own(pool, accepted, w))
     return next((w for w in earning if is_of_time(pool, accepted, w.candidate)), None)
 
