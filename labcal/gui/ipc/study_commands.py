@@ -31,6 +31,7 @@ from labcal.gui.ipc.messages import (
 )
 from labcal.record import Run
 from labcal.record.run_id import as_file_name
+from labcal.system.given_back import give_back_memory
 
 if TYPE_CHECKING:
     from labcal.fit import Fit
@@ -142,7 +143,10 @@ def loop(channel: Channel, asked: CloseLoop) -> Loop:
 
     measured = loaded_run(asked.run)
     path = calibration_path(measured.run_id)
-    closed = session.close_loop(asked.run, path, lambda text: channel.send(Progress(text)), force=True)
+    try:
+        closed = session.close_loop(asked.run, path, lambda text: channel.send(Progress(text)), force=True)
+    finally:
+        give_back_memory()  # this process stays as long as the window
     write_text(path.with_suffix(".loop"), json.dumps(closed.to_json()))
     return _loop_answer(closed, str(path), _change(measured, closed.pictures))
 
