@@ -36,6 +36,7 @@ from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widge
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
 from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.beside_coils import beside_coils
 from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
@@ -355,8 +356,7 @@ class Window(Frame):
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
         if said := self.app_state.says_unconfirmed(self.fault.fault):
-            now = self.app_state.lab.state.now
-            known = ". ".join(filter(None, (now.silent_with_current, now.in_common)))
+            known = beside_coils(self.app_state.lab.state.now)
             self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), known)
             self.fault.say_platform(self.app_state.platform_words())
         self.fault.let_check_zero(said and self.app_state.off.zero_in_doubt())

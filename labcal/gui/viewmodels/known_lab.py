@@ -9,13 +9,13 @@ import math
 from dataclasses import replace
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import MOVED
+from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED
 from labcal.gui.ipc.bench_facts import Bench
-from labcal.gui.viewmodels.field_witness import least_seen_nT, more_than_off
+from labcal.gui.viewmodels.field_witness import Off, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
-from labcal.gui.viewmodels.reference_again import ambient_of, mounted_anew
+from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
@@ -42,18 +42,20 @@ class KnownLab:
         self.state, self._received_s = known, now_s
         self._last.keep(known.coils)
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
-        if known.reference.verdict == "agrees" or mounted_anew(known):
+        agrees = known.reference.verdict == "agrees" and all(coil.current_A is not None for coil in known.coils)
+        if agrees or mounted_anew(known):  # beside a silent supply an agreement tells nothing: it is from before
             self._agreed = None if mounted_anew(known) else known
+        if known.reference.why == MOVED:
+            self._off = None
+        elif agrees and (self._off is None or known.reference.why != BEFORE_HANDS):  # that is as old as it was
+            self._off = known
 
-        if known.reference.verdict == "agrees" or known.reference.why == MOVED:
-            self._off = None if known.reference.why == MOVED else known
-
-    def off_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
-        """What the reference saw with the coils off [nT, C], and the least change of it that tells of a coil."""
-        seen_s = None if self._off is None else self._off.reference.read_s
-        if self._off is None or facts is None or seen_s is None or (found := ambient_of(self._off, facts)) is None:
+    def off(self, facts: Bench | None, now_s: float) -> Off | None:
+        """What the reference saw with the coils off, however long ago."""
+        measured_s = None if self._off is None else measured_at_s(self._off.reference)
+        if self._off is None or facts is None or measured_s is None or (found := ambient_of(self._off, facts)) is None:
             return None
-        return found[0], least_seen_nT(facts, seen_s, now_s)
+        return off_as_measured(found[0], facts, measured_s, now_s)
 
     def ambient_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
         """What the reference is to see with the coils at zero [nT, C], and how far off that may be; soon out of date.
@@ -110,7 +112,8 @@ class KnownLab:
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts))
-        now = replace(now, field_more_nT=None if known is None else more_than_off(known, facts))
+        if known is not None and (more := more_than_off(known, facts, self.off(facts, now_s))) is not None:
+            now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run

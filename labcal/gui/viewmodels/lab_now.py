@@ -88,6 +88,7 @@ class LabNow:
     field_why: str = ""  # none was measured, in words
     field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
+    field_more_old_s: int = 0
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
     coils_lost: bool = False  # a supply gives no answer now, whatever it said before
