@@ -12,6 +12,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title
 from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.failed_step import in_short
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
@@ -344,8 +345,8 @@ class Live(QWidget):
         """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         words = f"{words}. {now.in_common}" if now.in_common else words
-        say, off = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand."), self._app_state.by_hand()
-        return say.format(words, ", ".join(off)) if off and now.coils_at_zero is False else words
+        off = by_hand_words(self._app_state.by_hand())
+        return f"{words}. {off}." if off and now.coils_at_zero is False else words
 
     def _ask(self) -> None:
         prompt = self._run.prompt

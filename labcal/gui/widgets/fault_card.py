@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.by_hand import by_hand_words, not_read_words
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
@@ -63,6 +64,7 @@ class FaultCard(WholeCard):
         set_state(self.gravest, "bad")
         self.by_hand = label("", "ask", wrap=True)
         set_state(self.by_hand, "bad")
+        self.not_read = label("", "caption", wrap=True)
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
         self.platform, self.turning = label("", wrap=True), label("", "title", wrap=True)
         self.meaning = label("", "caption", wrap=True)  # of a word that stands above, and in no manual of an instrument
@@ -92,7 +94,7 @@ class FaultCard(WholeCard):
         row.addStretch()
         row.addWidget(self.close_card)
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
-        for part in (self.gravest, self.by_hand, self.turning, self.hands, *said, self.details):
+        for part in (self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -105,6 +107,7 @@ class FaultCard(WholeCard):
         self.say_hands()
         self.coils.hide()
         self.by_hand.hide()
+        self.not_read.hide()
         self.platform.hide()
         self.turning.hide()
         self.text.show()
@@ -145,6 +148,11 @@ class FaultCard(WholeCard):
         if holder is not None and self.isVisible():
             holder.ensureWidgetVisible(self)
 
+    def say_not_read(self, supplies: Sequence[str]) -> None:
+        """Whom nobody has asked yet; a line of their own is kept for them, so that nothing moves below it."""
+        self.not_read.setText(not_read_words(supplies) or " ")
+        self.not_read.setVisible(not self.by_hand.isHidden())
+
     def say_coils(self, words: str, supplies: Sequence[str] = (), known: str = "") -> None:
         """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
 
@@ -156,7 +164,7 @@ class FaultCard(WholeCard):
         self.by_hand.setVisible(bool(supplies))
         self.text.setVisible(not supplies)
         if supplies and self.fault is not None:
-            self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
+            self.by_hand.setText(by_hand_words(supplies))
             short = in_words(words.partition(";")[0].partition(":")[0])
             self.coils.setText(f"{short}. {known}" if known else short)
             figures = in_words(words), in_words(self.fault.text)

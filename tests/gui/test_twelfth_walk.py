@@ -1,0 +1,89 @@
+"""Plugs pulled on a served lab: one order of acts, who is named is silent or on, and nothing is said that is past."""
+
+import time
+from dataclasses import replace
+
+import pytest
+from test_hands_in_the_cage import AMBIENT, says, stands
+from test_hands_in_the_cage import real as real
+from test_hands_in_the_cage import running as running
+
+from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels import known_lab
+from labcal.gui.viewmodels.bench_to_do import to_do
+from labcal.gui.viewmodels.lab_now import WATCHED_S
+
+FIRST = "COILS OFF (F12), then switch off by hand: supply_z"
+
+
+def real_lines(window):
+    window.app_state.facts = replace(window.app_state.facts, virtual_time=False)
+    return window
+
+
+def coil(axis, current_A=None, *, set_A=None, fault="", age_s=0.0):
+    read_s = None if current_A is None else time.monotonic() - age_s
+    return CoilReading(axis, set_A, current_A, current_A == 0.0, None, read_s, fault)
+
+
+def test_one_order_of_acts_on_both_cards_and_the_bench_page(running):
+    """COILS OFF first, which stops the platform too, then by hand; as the platform's own words say it."""
+    real_lines(running)
+    says(running, (0.0, 0.0, 1.1), stands())
+    says(running, (0.0, 0.0, None), stands(moving=True), ("supply_z",))
+    assert running.fault.by_hand.text() == FIRST
+    assert "press COILS OFF (F12) first" in running.fault.turning.text()
+    assert running.fault.remedy.text() == "By hand: at its panel, or at its mains switch."
+    assert FIRST in to_do(running.app_state)
+    lost = Fault("instrument", "supply_z: silent.", "Look at its plug.")
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
+    assert FIRST in running.page("Run").live.fault.coils.text()
+
+
+def test_who_was_not_asked_yet_is_not_to_be_switched_off(real):
+    real.app_state.take_lab(LabState((coil("x", 0.0), coil("y", 0.0), coil("z", 0.0)), platform=stands()))
+    heard = (Heard("supply_x", fault="silent"),)
+    old_s = WATCHED_S + 1.0
+    known = (coil("x", fault="silent"), coil("y", 0.0, age_s=old_s), coil("z"))
+    real.app_state.kept.heard.add("supply_x")
+    real.app_state.take_lab(LabState(known, instruments=heard, platform=stands()))
+    assert real.fault.by_hand.text().endswith("by hand: supply_x")
+    assert real.fault.not_read.text() == "Not read yet: supply_y, supply_z"
+    below = real.fault.not_read.geometry().bottom()
+    fresh = (known[0], coil("y", 0.0), coil("z", 0.0))
+    real.app_state.take_lab(LabState(fresh, instruments=heard, platform=stands()))
+    assert real.fault.not_read.text().strip() == ""
+    assert (real.fault.not_read.isVisibleTo(real.fault), real.fault.not_read.geometry().bottom()) == (True, below)
+    silent = tuple(coil(axis, fault="silent") for axis in "xyz")
+    real.app_state.take_lab(LabState(silent, instruments=heard, platform=stands()))
+    assert real.fault.by_hand.text().endswith("by hand: supply_x, supply_y, supply_z")
+
+
+@pytest.mark.parametrize(("set_A", "named"), [(0.4, "supply_z"), (None, "supply_x, supply_z")])
+def test_what_a_run_takes_to_zero_is_named_only_once_it_does_not_get_there(real, set_A, named, monkeypatch):
+    """A run that lost supply_z takes the others down; at rest one that is on is on, and nobody takes it down."""
+    known = (coil("x", 0.4, set_A=set_A), coil("y", 0.0), coil("z", fault="silent"))
+    real.app_state.kept.heard.add("supply_z")
+    real.app_state.take_lab(LabState(known, platform=stands()))
+    assert real.fault.by_hand.text().endswith(f"by hand: {named}")
+    monkeypatch.setattr(known_lab, "LOST_FIRST_S", 0.0)
+    assert real.app_state.by_hand() == ("supply_x", "supply_z")
+
+
+def test_the_bottom_line_names_who_is_lost_now_and_no_age(real):
+    real.app_state.kept.heard |= {"supply_x", "supply_y"}
+    real.app_state.take_lab(LabState((coil("x", fault="silent"), coil("y", 0.0), coil("z", 0.0)), platform=stands()))
+    old = PlatformReading(40.0, False, time.monotonic() - 30.0)
+    said_at = real.app_state.lab.state.said_at
+    more = (coil("x", fault="silent"), coil("y", fault="silent"), coil("z", 0.0))
+    real.app_state.take_lab(LabState(more, platform=old))
+    assert real.message.text().startswith("COILS OFF (F12), then switch off by hand: supply_x, supply_y")
+    assert "ago" not in real.message.text()
+    assert real.app_state.lab.state.said_at == said_at
+    zero = tuple(coil(axis, 0.0) for axis in "xyz")
+    agrees = Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2000.0, time.monotonic())
+    real.app_state.take_lab(LabState(zero, agrees, platform=stands()))
+    assert "by hand" not in real.message.text()  # it is over
