@@ -2,19 +2,23 @@
 
 import time
 from dataclasses import replace
+from datetime import datetime, timedelta
 
 import pytest
-from test_hands_in_the_cage import AMBIENT, says, stands
+from test_hands_in_the_cage import AMBIENT, lab, says, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
+from test_off_unanswered import ends
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness
-from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import RunProcedure
+from labcal.gui.ipc.answers import Ended, SwitchedOff
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels import known_lab
 from labcal.gui.viewmodels.bench_to_do import to_do
 from labcal.gui.viewmodels.lab_now import WATCHED_S
+from labcal.gui.viewmodels.lost_since import LostSince
+from labcal.gui.viewmodels.off_headline import off_headline
 
 FIRST = "COILS OFF (F12), then switch off by hand: supply_z"
 
@@ -40,6 +44,7 @@ def test_one_order_of_acts_on_both_cards_and_the_bench_page(running):
     assert FIRST in to_do(running.app_state)
     lost = Fault("instrument", "supply_z: silent.", "Look at its plug.")
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
+    running.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends(z="supply_z: silent")))
     assert FIRST in running.page("Run").live.fault.coils.text()
 
 
@@ -87,3 +92,46 @@ def test_the_bottom_line_names_who_is_lost_now_and_no_age(real):
     agrees = Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2000.0, time.monotonic())
     real.app_state.take_lab(LabState(zero, agrees, platform=stands()))
     assert "by hand" not in real.message.text()  # it is over
+
+
+@pytest.mark.parametrize("silent", ["supply_y", "reference", "stage"])
+def test_coils_off_is_green_only_while_everybody_it_speaks_of_answers(real, silent):
+    agrees = Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2000.0, time.monotonic())
+    real.app_state.take_lab(lab(platform=stands(), witness=agrees))
+    assert off_headline(real.app_state.lab.state.now)[1] == "good"
+    real.app_state.take_lab(lab(platform=stands(), faulty=("dut",), witness=agrees))  # of that it says nothing
+    assert off_headline(real.app_state.lab.state.now)[1] == "good"
+    real.app_state.take_lab(lab(platform=stands(), faulty=(silent,), witness=agrees))
+    words, mark = off_headline(real.app_state.lab.state.now)
+    assert mark != "good"
+    assert f"No answer from {silent}" in words
+
+
+def test_the_card_says_of_coils_what_the_panel_says(real):
+    """Watched, they have no age; "not watched since" beside a green panel were two voices."""
+    agrees = Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2000.0, time.monotonic() - 2.5)
+    zero = tuple(coil(axis, 0.0, age_s=2.5) for axis in "xyz")
+    real.app_state.take_lab(LabState(zero, agrees, platform=stands()))
+    assert real.app_state.coil_words() == "coils at zero"
+
+
+def test_since_when_somebody_is_lost_is_when_it_was_heard_last(real, monkeypatch):
+    heard_s = time.monotonic() - 1.5  # so young an age is not said elsewhere
+    known = LabState((), instruments=(Heard("reference", heard_s, "silent"),))
+    real.app_state.take_lab(known)
+    (said,) = LostSince().named(real.app_state.lab.state.now)
+    at = datetime.strptime(said.partition("since ")[2].rstrip(")"), "%H:%M:%S").time()
+    wall = datetime.now() - timedelta(seconds=time.monotonic() - heard_s)
+    assert at in {(wall + timedelta(seconds=s)).replace(microsecond=0).time() for s in (-0.2, 0.2)}
+
+
+def test_what_coils_off_says_of_the_platform_is_of_after_it(real):
+    """One that was read long before it stopped is looked at again; the line says how it stands then."""
+    old = PlatformReading(40.0, False, time.monotonic() - 31.0)
+    real.app_state.take_lab(lab(platform=old))
+    real.app_state.off.order()
+    real.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends()))
+    assert "is not seen to stand yet" in real.message.text()
+    assert "ago" not in real.message.text()
+    real.app_state.take_lab(lab(platform=stands()))
+    assert real.message.text().endswith("platform stands at 40°")

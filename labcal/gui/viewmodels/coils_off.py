@@ -139,7 +139,8 @@ class CoilsOff(QObject):
         if said.doubt or not zero:
             self.warn(Fault("coils", words))
         else:
-            later = said.platform is not None and said.platform.fault == NOT_YET  # it is looked at again
+            old = platform_mark(window.lab.state.now.platform_words)[1] == "old"  # of before it was told to stop
+            later = old or (said.platform is not None and said.platform.fault == NOT_YET)  # it is looked at again
             report = off_words(words, window.lab.state.now.platform_words, later=later)
             self._report = (words, report) if later else None
             window.lab.update(message=report)
