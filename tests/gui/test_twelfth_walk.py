@@ -5,12 +5,12 @@ from dataclasses import replace
 from datetime import datetime, timedelta
 
 import pytest
-from test_hands_in_the_cage import AMBIENT, lab, says, stands
+from test_hands_in_the_cage import AMBIENT, READY, lab, says, send, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
 from test_off_unanswered import ends
 
-from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness
+from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness, unread
 from labcal.gui.ipc.answers import Ended, SwitchedOff
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
@@ -135,3 +135,64 @@ def test_what_coils_off_says_of_the_platform_is_of_after_it(real):
     assert "ago" not in real.message.text()
     real.app_state.take_lab(lab(platform=stands()))
     assert real.message.text().endswith("platform stands at 40°")
+
+
+def test_hands_off_is_not_answered_before_the_platform_was_seen_to_stand(running, qtbot):
+    """Its line is back and everybody answers: until somebody has seen it stand the button waits, and says for what."""
+    real_lines(running)
+    running.app_state.run.virtual_time = False
+    running.open_page("Run")
+    card = running.page("Run").live.prompt
+    send(running, READY)
+    says(running, platform=stands())
+    qtbot.waitUntil(lambda: card.alive, timeout=10_000)
+    says(running, platform=PlatformReading())
+    assert not card.choices["done"].isEnabled()
+    assert card.text.text().replace("\N{NO-BREAK SPACE}", " ") == "✕ platform NOT confirmed at a standstill"
+    assert not running.app_state.path.may_answer()
+    says(running, platform=stands())
+    assert card.choices["done"].isEnabled()
+
+
+def test_go_on_waits_for_who_is_silent_and_says_for_whom(running):
+    real_lines(running)
+    running.app_state.path.resumable = {"preflight"}
+    lost = Fault("instrument", "dut: silent.", "Look at its plug.")
+    says(running, platform=stands())
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
+    live = running.page("Run").live
+    running.app_state.take_lab(lab(platform=stands(), faulty=("dut",)))
+    assert live.go_on.isVisibleTo(live)
+    assert not live.go_on.isEnabled()
+    assert (live.waits_for.isVisibleTo(live), live.waits_for.text()) == (True, "✕ No answer from dut")
+    running.app_state.take_lab(lab(platform=stands()))
+    assert live.go_on.isEnabled()
+    assert not live.waits_for.isVisibleTo(live)
+
+
+def test_while_a_run_begins_one_sentence_stands_until_it_has_read_the_coils(real):
+    """Not red, amber and red again: nothing is energised before the coils were read."""
+    app_state = real.app_state
+    said = set()
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    for known in (None, LabState(unread()), LabState(unread(), platform=stands())):
+        if known is not None:
+            real.app_state.bench_worker.states.emit(known)
+        app_state.grow_old()
+        said.add((app_state.lab.state.keep_off, app_state.lab.state.hands))
+    assert said == {(("▲ Hands off", "warning"), ("▲ Hands off: the run begins", "warning"))}
+    says(real, (0.0, 0.0, 1.1), platform=stands())
+    assert app_state.lab.state.keep_off == ("HANDS OFF", "bad")
+
+
+def test_under_hands_off_nothing_is_ready_and_what_is_open_is_said(real):
+    """After F12 at rest, with one supply silent."""
+    start = real.page("Start")
+    real.app_state.take_lab(lab(platform=stands()))
+    assert start.question.text().startswith("Ready.")
+    real.app_state.take_lab(lab(platform=stands(moving=True)))
+    assert real.app_state.lab.state.keep_off[1] == "bad"
+    assert "Ready" not in start.question.text()
+    real.app_state.off.order()
+    real.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends()))
+    assert "x: zero, its output open" in real.message.text()

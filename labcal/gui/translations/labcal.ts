@@ -9921,6 +9921,14 @@ after this step …</source>
         <source>Not read yet: {0}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>zero, its output open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero, its output not open</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -9922,6 +9922,14 @@ diesem Schritt …</translation>
         <source>Not read yet: {0}</source>
         <translation>Noch nicht gelesen: {0}</translation>
     </message>
+    <message>
+        <source>zero, its output open</source>
+        <translation>null, sein Ausgang offen</translation>
+    </message>
+    <message>
+        <source>zero, its output not open</source>
+        <translation>null, sein Ausgang nicht offen</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -9922,6 +9922,14 @@ cette étape …</translation>
         <source>Not read yet: {0}</source>
         <translation>Pas encore lues : {0}</translation>
     </message>
+    <message>
+        <source>zero, its output open</source>
+        <translation>zéro, sa sortie ouverte</translation>
+    </message>
+    <message>
+        <source>zero, its output not open</source>
+        <translation>zéro, sa sortie non ouverte</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>
