@@ -115,6 +115,8 @@ NO_CLAIM = {
     "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.": HELP,
     "its watchdog has taken it to zero": READ,
     "its output is off": READ,
+    "zero, its output open": READ,
+    "zero, its output not open": READ,
     "Try again: its output has to go on anew.": ORDER,
     "Each coil goes to ±{} µT in turn. Hands off?": ASKED,
     "Each coil goes to ±{} µT. Hands off?": ASKED,

@@ -190,7 +190,7 @@ def test_under_hands_off_nothing_is_ready_and_what_is_open_is_said(real):
     start = real.page("Start")
     real.app_state.take_lab(lab(platform=stands()))
     assert start.question.text().startswith("Ready.")
-    real.app_state.take_lab(lab(platform=stands(moving=True)))
+    real.app_state.take_lab(lab(platform=PlatformReading()))
     assert real.app_state.lab.state.keep_off[1] == "bad"
     assert "Ready" not in start.question.text()
     real.app_state.off.order()
