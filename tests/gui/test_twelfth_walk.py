@@ -196,3 +196,42 @@ def test_under_hands_off_nothing_is_ready_and_what_is_open_is_said(real):
     real.app_state.off.order()
     real.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends()))
     assert "x: zero, its output open" in real.message.text()
+
+
+def test_one_card_says_a_thing_once(running):
+    """Of the coils beside "Hands may go in", of the platform in larger letters with what to do."""
+    real_lines(running)
+    running.app_state.run.virtual_time = False
+    says(running, platform=stands())
+    lost = Fault("instrument", "reference: silent.", "Look at its plug.")
+    running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", lost))
+    card = running.page("Run").live.fault
+
+    def seen():
+        parts = (card.hands, card.coils, card.platform, card.turning, card.text)
+        return "\n".join(one.text() for one in parts if one.isVisibleTo(card))
+
+    alone = Witness(why="the reference does not answer")
+    running.app_state.take_lab(lab(platform=stands(), faulty=("reference",), witness=alone))
+    card.say_hands()
+    assert seen().count("by their supplies") == 1
+    running.app_state.take_lab(lab(platform=PlatformReading(), faulty=("reference",), witness=alone))
+    card.say_hands()
+    assert seen().count("NOT confirmed at a standstill") == 1
+
+
+def test_who_is_back_was_out_from_when_to_when_in_one_line_with_the_coils(real):
+    real.app_state.kept.heard.add("supply_z")
+    heard_s = time.monotonic() - 60.0
+    out = LabState((coil("x", 0.0), coil("y", 0.0), coil("z", fault="silent")),
+                   instruments=(Heard("supply_z", heard_s, "silent"),), platform=stands())  # fmt: skip
+    real.app_state.take_lab(out)
+    assert "by hand: supply_z" in real.message.text()
+    since = datetime.now() - timedelta(seconds=60.0)
+    agrees = Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2000.0, time.monotonic())
+    real.app_state.take_lab(lab(platform=stands(), witness=agrees))
+    said = real.message.text()
+    assert said.startswith("supply_z: answers again, no answer from ")
+    assert f"{since:%H:%M}" in said or f"{since + timedelta(seconds=1):%H:%M}" in said
+    assert f" to {datetime.now():%H:%M}" in said
+    assert "coils at zero" in said

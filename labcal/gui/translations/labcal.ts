@@ -9929,6 +9929,10 @@ after this step …</source>
         <source>zero, its output not open</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>{0}: answers again, no answer from {1} to {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -9930,6 +9930,10 @@ diesem Schritt …</translation>
         <source>zero, its output not open</source>
         <translation>null, sein Ausgang nicht offen</translation>
     </message>
+    <message>
+        <source>{0}: answers again, no answer from {1} to {2}</source>
+        <translation>{0}: antwortet wieder, keine Antwort von {1} bis {2}</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -9930,6 +9930,10 @@ cette étape …</translation>
         <source>zero, its output not open</source>
         <translation>zéro, sa sortie non ouverte</translation>
     </message>
+    <message>
+        <source>{0}: answers again, no answer from {1} to {2}</source>
+        <translation>{0} : répond de nouveau, pas de réponse de {1} à {2}</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -26,10 +26,14 @@ class LostSince:
         self._since = dict[str, str]()
 
     def named(self, now: LabNow) -> list[str]:
-        """Who is lost, each with since when: from when it was heard last, where it was."""
+        """Who is lost, each with since when."""
+        return [translated(str(SINCE)).format(one, since) for one, since in self.since(now).items()]
+
+    def since(self, now: LabNow) -> dict[str, str]:
+        """By who is lost: from when it was heard last, where it was."""
         heard_s = {shown_name(name): at_s for name, at_s in now.heard_at_s}
         self._since = {one: self._since.get(one) or _on_the_wall(heard_s.get(one)) for one in now.failed}
-        return [translated(str(SINCE)).format(one, since) for one, since in self._since.items()]
+        return self._since
 
 
 def _on_the_wall(heard_s: float | None) -> str:

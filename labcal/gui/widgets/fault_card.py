@@ -40,6 +40,13 @@ KEEP_OFF = ("coils", "platform")  # whose heading says that hands have to be off
 HANDS_MS = 500  # between two looks whether they may go near
 
 
+def without(hands: str, said: str) -> str:
+    """What is said of `hands`, without the reasons that the card has `said` in larger letters with what to do."""
+    answer, apart, why = hands.partition(": ")
+    left = [reason for reason in why.split("; ") if not said or reason not in said]
+    return f"{answer}{apart}{'; '.join(left)}" if left else answer
+
+
 class FaultCard(WholeCard):
     """Words, state of the coils where that matters, what to do, details and "save a problem report".
 
@@ -60,6 +67,7 @@ class FaultCard(WholeCard):
         self.hands_timer = QTimer(self, interval=HANDS_MS)
         self.hands_timer.timeout.connect(self.say_hands)
         self.fault: Fault | None = None
+        self._tells_coils = False
         self.gravest = label("", "large", wrap=True)  # in place of the heading: nothing on the card is larger
         set_state(self.gravest, "bad")
         self.by_hand = label("", "ask", wrap=True)
@@ -103,7 +111,7 @@ class FaultCard(WholeCard):
         """Show `fault`, or nothing."""
         if fault is self.fault:
             return None
-        self.fault = fault
+        self.fault, self._tells_coils = fault, False
         self.say_hands()
         self.coils.hide()
         self.by_hand.hide()
@@ -160,7 +168,7 @@ class FaultCard(WholeCard):
         what to look at first where several are silent.
         """
         self.coils.setText(in_words(words))
-        self.coils.show()
+        self._tells_coils = True
         self.by_hand.setVisible(bool(supplies))
         self.text.setVisible(not supplies)
         if supplies and self.fault is not None:
@@ -172,6 +180,7 @@ class FaultCard(WholeCard):
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
+        self._say_coils_once()
 
     def let_check_zero(self, may: bool) -> None:
         """Whether a zero is in doubt that can be measured again: every supply says that it is one."""
@@ -186,10 +195,16 @@ class FaultCard(WholeCard):
         lost = self._hands is not None and self.fault is not None and self.fault.kind == "instrument"
         if lost and self._hands is not None:
             words, mark = self._hands()
-            self.hands.setText(words)
+            self.hands.setText(without(words, "" if self.turning.isHidden() else self.turning.text()))
             set_state(self.hands, mark)
         self.hands.setVisible(lost)
+        self._say_coils_once()
         self.hands_timer.start() if lost else self.hands_timer.stop()
+
+    def _say_coils_once(self) -> None:
+        """What is said beside "Hands may go in" is not said again below it."""
+        again = not self.hands.isHidden() and self.coils.text() in self.hands.text()
+        self.coils.setVisible(self._tells_coils and not again)
 
     def say_platform(self, words: str) -> None:
         """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
@@ -199,6 +214,7 @@ class FaultCard(WholeCard):
             place.setText(f"{shape} {platform_said(words)}")
             place.setVisible(bool(words) and shown)
             set_state(place, mark)
+        self.say_hands()
 
     def _close(self) -> None:
         self.hide()
