@@ -180,7 +180,7 @@ class AppState(QObject):
         self.named_serials.take(self.answered)
         known = lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
-        ambient, off = (at(self.facts, time.monotonic()) for at in (self.kept.ambient_nT, self.kept.off))
+        ambient, off = self.kept.ambient_nT(self.facts, self.now_s()), self.kept.off(self.facts, self.now_s())
         self.take_lab(known if simulated else seconded(known, said, ambient, off))
         if self.off.unconfirmed is not None:
             self.off.look_again()

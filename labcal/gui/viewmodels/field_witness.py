@@ -94,10 +94,10 @@ def field_says(now: LabNow) -> str:
 
     That a coil is on is said where one is not confirmed at zero; else it may be something very magnetic.
     """
-    if now.field_more_nT is None:
+    if (more := now.field_more_nT) is None:
         return ""
-    most = max(range(3), key=lambda axis: abs((now.field_more_nT or (0.0, 0.0, 0.0))[axis]))
-    more_nT = now.field_more_nT[most]
+    most = max(range(3), key=[abs(one) for one in more].__getitem__)
+    more_nT = more[most]
     said = f"{more_nT / 1000:+.{0 if abs(more_nT) >= 1e4 else 1}f}".replace("-", "−")
     words = STILL_ON if now.coil_words.startswith(state.NOT_CONFIRMED) else SEES_MORE
     return translated(str(words)).format(said, "xyz"[most], age_words(now.field_more_old_s))
