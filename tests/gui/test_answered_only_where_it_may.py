@@ -140,7 +140,9 @@ def test_of_coils_that_are_confirmed_again_the_line_below_says_how_they_are(runn
     assert running.message.text().startswith("COILS OFF (F12), then switch off by hand: supply_z")
     app_state.take_lab(lab(platform=stands()))
     assert "by hand" not in running.message.text()
-    assert running.message.text().startswith("coils read back at zero by their supplies")
+    assert running.message.text().startswith("supply_z: answers again")
+    assert "; coils read back at zero by their supplies" in running.message.text()
+    assert "reference:" not in running.message.text()  # which the warning did not name
 
 
 def test_while_the_coils_have_the_card_nobody_is_sent_to_a_plug_beside_it(running, card):

@@ -37,7 +37,7 @@ class SaidNoMore:
         self._lab, self._run = lab, run
         self._lost, self._times = set[str](), LostSince()
         self._since = dict[str, str]()
-        self._was_out = dict[str, str]()  # who was lost when a warning stood, in words, until that is over
+        self._was_out = dict[str, str]()  # by who was lost and is back: when it was last, in words
 
     def look(self, warned: str = "") -> None:
         """`warned`: what was said of coils that were not confirmed, and are; they are said to be as they are now.
@@ -46,19 +46,18 @@ class SaidNoMore:
         """
         message, now = self._lab.state.message, self._lab.state.now
         back, self._lost = sorted(self._lost - set(now.failed)), set(now.failed)
-        out = {one: self._out(one) for one in back}
-        self._was_out = {**self._was_out, **out} if warned or out else {}
+        self._was_out |= {one: self._out(one) for one in back}
         self._since = self._times.since(now)
         zero = now.coils_at_zero and any(said in message for said in (ORDERED, in_words(ORDERED)))
         named = [one for one in back if one in message]
         if now.failed and any(_all(form).fullmatch(message) for form in EVERYBODY):
             self._say(translated(str(SHOWN)).format(", ".join(now.failed)))
         elif zero or (warned and message == warned):
-            out, self._was_out = self._was_out, {}
-            said = (*out.values(), in_words(now.coil_words), platform_said(now.platform_words))
+            out = [said for one, said in self._was_out.items() if one in message and one not in now.failed]
+            said = (*out, in_words(now.coil_words), platform_said(now.platform_words))
             self._say("; ".join(filter(None, said)))
         elif named:
-            self._say("; ".join(out[one] for one in named))
+            self._say("; ".join(self._was_out[one] for one in named))
 
     def _out(self, name: str) -> str:
         """That it answers again, and from when to when it did not."""
