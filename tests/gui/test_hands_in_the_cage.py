@@ -303,7 +303,7 @@ def test_a_run_that_does_not_go_on_says_why_where_it_ended_though_the_coils_have
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
     app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "lost", False))))
     app_state.path.resumable = frozenset({"preflight"})
-    live.go_on.click()
+    app_state.resume("r1", "preflight", "EM-07")  # as it answered, just before
     text = "supply_z (tcp://10.0.0.7:5025): the link was lost (Connection refused)."
     still_off = Fault("instrument", text, "It is tried again and again.")
     next(one for one in app_state.bench_worker.asked if isinstance(one.command, ResumeRun)).failed(still_off)
