@@ -12,6 +12,7 @@ from labcal.bench.coils.state import NOT_READ
 from labcal.gui.frame import Frame
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.beside_coils import beside_coils
 from labcal.gui.viewmodels.hands_now import reasons
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import as_watched, platform_said
@@ -155,7 +156,7 @@ class Leaving(QObject):
     def _say_still_on(self) -> None:
         app_state, now = self._app_state, self._app_state.lab.state.now
         if self.still_on is not None:
-            coils = (in_words(app_state.coil_words()), now.silent_with_current)
+            coils = (in_words(app_state.coil_words()), beside_coils(now))
             self.still_on.say(
                 by_hand=app_state.by_hand(),
                 coils_in_doubt=bool(now.earlier_on or reasons(now.coil_words or NOT_READ, "")),

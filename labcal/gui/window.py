@@ -39,6 +39,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
+from labcal.gui.widgets.coils_on_card import say_coils
 from labcal.gui.widgets.earlier_card import EarlierCard
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
@@ -355,10 +356,7 @@ class Window(Frame):
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
         if said := self.app_state.says_unconfirmed(self.fault.fault):
-            now = self.app_state.lab.state.now
-            known = ". ".join(filter(None, (now.silent_with_current, now.in_common)))
-            self.fault.say_coils(self.app_state.coil_words(), self.app_state.by_hand(), known)
-            self.fault.say_platform(self.app_state.platform_words())
+            say_coils(self.fault, self.app_state)
         self.fault.let_check_zero(said and self.app_state.off.zero_in_doubt())
         self.fault.let_close(not (said and self.app_state.still_live()))
         self.app_state.warning_shown = said and not self.fault.isHidden()

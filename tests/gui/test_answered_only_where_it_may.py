@@ -98,7 +98,11 @@ def test_nothing_is_scanned_or_typed_into_a_question_whose_answer_is_barred(runn
             lambda: {"platform": PlatformReading(fault="silent"), "faulty": ("dut",)},
             "First stop the platform at its",
         ),
-        (READY, lambda: {"currents": (0.0, 0.0, None), "faulty": ("supply_z",)}, "First switch off by hand the supply"),
+        (
+            READY,
+            lambda: {"currents": (0.0, 0.0, None), "faulty": ("supply_z",)},
+            "First press COILS OFF (F12), then switch off by hand the supply",
+        ),
         (
             MOUNT,
             lambda: {"currents": (0.0, 0.0, 0.4), "platform": stands(), "faulty": ("dut",)},
@@ -121,9 +125,9 @@ def test_the_line_below_does_not_go_on_saying_who_was_silent(running, card):
     send(running, Prompt(5.0, "failed-zero", "supply_z: no reply in 1.5 s.", FAILED.choices))
     assert "supply_z: no reply" in running.message.text()
     says(running, platform=stands())
-    assert running.message.text() == "supply_z: answers again"
+    assert running.message.text().startswith("supply_z: answers again")
     running.app_state.run.changed.emit()
-    assert running.message.text() == "supply_z: answers again"
+    assert running.message.text().startswith("supply_z: answers again")
 
 
 def test_of_coils_that_are_confirmed_again_the_line_below_says_how_they_are(running, card):
@@ -133,10 +137,12 @@ def test_of_coils_that_are_confirmed_again_the_line_below_says_how_they_are(runn
         RunProcedure, Ended("r1", "interrupted", Fault("instrument", "supply_z: silent.", ""))
     )
     app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "supply_z: lost", False))))
-    assert running.message.text().startswith("Switch off by hand: supply_z")
+    assert running.message.text().startswith("COILS OFF (F12), then switch off by hand: supply_z")
     app_state.take_lab(lab(platform=stands()))
-    assert "supply_z" not in running.message.text()
-    assert running.message.text().startswith("coils read back at zero by their supplies")
+    assert "by hand" not in running.message.text()
+    assert running.message.text().startswith("supply_z: answers again")
+    assert "; coils read back at zero by their supplies" in running.message.text()
+    assert "reference:" not in running.message.text()  # which the warning did not name
 
 
 def test_while_the_coils_have_the_card_nobody_is_sent_to_a_plug_beside_it(running, card):
@@ -145,7 +151,7 @@ def test_while_the_coils_have_the_card_nobody_is_sent_to_a_plug_beside_it(runnin
     plug = Fault("instrument", "supply_z: no reply in 1.5 s.", "Is its plug in at both ends?")
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", plug))
     app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "lost", False))))
-    assert running.fault.by_hand.text() == "Switch off by hand: supply_z"
+    assert running.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
     assert live.verdict.reason.text() == "supply_z: no reply in 1.5 s."
 
 

@@ -70,7 +70,7 @@ def test_who_is_led_here_reads_why(still, bench):
     assert bench.to_do.text() == "dut: see to plug, power and cable. Read all asks again."
     still.app_state.take_lab(LabState((*zero[:2], CoilReading("z", fault="silent"))))
     bench.show_readings()
-    assert bench.to_do.text() == "✕ coils NOT confirmed at zero. Switch off by hand: supply_z."
+    assert bench.to_do.text() == "✕ coils NOT confirmed at zero. COILS OFF (F12), then switch off by hand: supply_z."
     still.app_state.take_lab(LabState(zero))
     bench.show_readings()
     assert bench.to_do.isHidden()

@@ -43,7 +43,11 @@ def test_closing_with_a_coil_on_says_which_and_stays(qtbot, silent, monkeypatch,
     dialog = silent.leaving.still_on
     assert (silent.isVisible(), dialog.isVisible(), dialog.stay.isDefault()) == (True, True, True)
     said = words(dialog)
-    for part in ("HANDS OFF: the coils may be on", "z: +1.100 A when last read", "Switch off by hand: supply_z"):
+    for part in (
+        "HANDS OFF: the coils may be on",
+        "z: +1.100 A when last read",
+        "COILS OFF (F12), then switch off by hand: supply_z",
+    ):
         assert part in said
     assert ("the guardian keeps trying" in said, "No guardian" in said) == (guarded, not guarded)
     qtbot.keyClick(dialog, Qt.Key.Key_Return)

@@ -133,7 +133,7 @@ def test_one_supply_that_is_lost_is_named_alone_while_the_others_are_on_their_wa
     running.app_state.off.order()
     assert running.app_state.by_hand() == ("supply_z",)
     later(ANSWERS_S + 1.0)
-    assert running.fault.by_hand.text() == "Switch off by hand: supply_z"
+    assert running.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
     assert "common line" not in running.side.legend.text() + running.fault.coils.text()
     later(LOST_FIRST_S)
     assert running.app_state.by_hand() == ("supply_x", "supply_y", "supply_z")  # they have not answered at all
@@ -144,20 +144,20 @@ def test_what_a_run_read_back_at_zero_before_it_ended_is_not_to_be_switched_off_
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
     assert "supply_x" not in running.page("Run").live.fault.coils.text()
     later(ANSWERS_S + 1.0 + LOST_FIRST_S)
-    assert running.fault.by_hand.text() == "Switch off by hand: supply_z"
+    assert running.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
 
 
 def test_but_what_a_run_that_broke_off_read_may_be_on_since(running, later):
     says(running, (0.0, 0.0, None))
     running.app_state.bench_worker.asked[-1].failed(Fault("crash", "It broke."))
     later(ANSWERS_S + 1.0 + LOST_FIRST_S)
-    assert running.fault.by_hand.text() == "Switch off by hand: supply_x, supply_y, supply_z"
+    assert running.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_x, supply_y, supply_z"
 
 
 def test_a_doubt_that_names_its_supply_sends_nobody_to_the_others(still):
     still.app_state.off.order()
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros(), "it sees 20 000 nT, 0 nT expected", ADVICE))
-    assert still.fault.by_hand.text() == "Switch off by hand: supply_z"
+    assert still.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
 
 
 def test_a_run_that_has_its_coils_at_zero_is_left_to_stop_the_platform_and_to_ask_the_reference(running):
@@ -303,7 +303,7 @@ def test_a_run_that_does_not_go_on_says_why_where_it_ended_though_the_coils_have
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", LOST))
     app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "lost", False))))
     app_state.path.resumable = frozenset({"preflight"})
-    live.go_on.click()
+    app_state.resume("r1", "preflight", "EM-07")  # as it answered, just before
     text = "supply_z (tcp://10.0.0.7:5025): the link was lost (Connection refused)."
     still_off = Fault("instrument", text, "It is tried again and again.")
     next(one for one in app_state.bench_worker.asked if isinstance(one.command, ResumeRun)).failed(still_off)

@@ -38,7 +38,7 @@ def red(window, name="supply_z"):
     """The card above every page."""
     card = window.fault
     return card.isVisible() and (card.gravest.text(), card.by_hand.text()) == (
-        "✕ HANDS OFF: the coils may be on", f"Switch off by hand: {name}"
+        "✕ HANDS OFF: the coils may be on", f"COILS OFF (F12), then switch off by hand: {name}"
     )  # fmt: skip
 
 

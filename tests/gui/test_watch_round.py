@@ -174,3 +174,26 @@ def test_what_is_looked_at_in_time_has_no_age_that_comes_and_goes(real, old_s, s
 def test_the_clock_of_the_watch_is_that_of_its_round():
     assert lab_watch.LOOK_MS == 1000 * COILS_S
     assert LATE_S > COILS_S
+
+
+@pytest.mark.parametrize(
+    ("silent", "at_most_s"),
+    [(("supply_x",), 5.0), ((*COILS, "dut", "reference", "stage"), 20.0)],
+    ids=["one supply", "everybody"],
+)
+def test_beside_silent_supplies_the_others_are_read_on(silent, at_most_s):
+    names, looks, read, now_s, tick_s = ("dut", *COILS, "reference", "stage"), WatchRound(is_coil), {}, 0.0, 0.0
+    while now_s < 60.0:
+        if now_s >= tick_s:
+            looks.begin(names, now_s)
+            tick_s += COILS_S * (1 + (now_s - tick_s) // COILS_S)
+        if who := looks.next(now_s):
+            took_s = sum(1.5 if name in silent else 0.05 for name in who)
+            now_s += took_s
+            looks.took(who, took_s, answered=not set(who) & set(silent))
+            read.setdefault(who, []).append(now_s)
+        else:
+            now_s = tick_s
+    for name in ("dut", "reference", "stage"):
+        assert max(b - a for a, b in pairwise([0.0, *read[(name,)], 60.0])) <= at_most_s
+    assert max(b - a for a, b in pairwise(read[COILS])) <= at_most_s

@@ -9,10 +9,11 @@ from labcal.gui.ipc.messages import KeepPhoto
 from labcal.gui.ipc.wire import BROKEN, Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
-from labcal.gui.translations.translate import procedure_title
+from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.failed_step import in_short
+from labcal.gui.viewmodels.by_hand import by_hand_words
+from labcal.gui.viewmodels.failed_step import SHOWN, in_short
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
@@ -20,7 +21,7 @@ from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
-from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary
+from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
 from labcal.gui.widgets.covered_bar import CoveredBar
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
@@ -110,6 +111,10 @@ class Live(QWidget):
         card.body.addWidget(self.steps, 1)
         card.body.addStretch()
         card.body.addWidget(self.notes)
+        self.waits_for = label("", wrap=True)  # beside the button that is grey for it
+        set_state(self.waits_for, "bad")
+        self.waits_for.hide()
+        card.body.addWidget(self.waits_for)
         card.body.addLayout(self._buttons())
         return card
 
@@ -317,6 +322,9 @@ class Live(QWidget):
     def _say_lab(self) -> None:
         now = self._app_state.lab.state.now
         set_primary(self.go_on, not now.to_be_mended)
+        self.go_on.setEnabled(not now.failed)
+        self.waits_for.setText(translated(str(SHOWN)).format(", ".join(now.failed)) if now.failed else "")
+        self.waits_for.setVisible(bool(now.failed) and self._goes_on)
         words, mark = hands_at(self._run, now)
         self.prompt.say_lab(now, words if mark == "warning" else "")
         self.prompt.say_anew(anew=self._run.anew)
@@ -346,8 +354,8 @@ class Live(QWidget):
         """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         words = f"{words}. {now.in_common}" if now.in_common else words
-        say, off = self.tr("{0}. Press COILS OFF (F12), or switch {1} off by hand."), self._app_state.by_hand()
-        return say.format(words, ", ".join(off)) if off and now.coils_at_zero is False else words
+        off = by_hand_words(self._app_state.by_hand())
+        return f"{words}. {off}." if off and now.coils_at_zero is False else words
 
     def _ask(self) -> None:
         prompt = self._run.prompt

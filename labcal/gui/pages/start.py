@@ -177,7 +177,7 @@ class StartPage(QWidget):
                 self.tr("Ready. {0} is to be measured on {1}.").format(
                     self._app_state.lab.state.dut_serial, "" if facts is None else facts.name
                 )
-                if to.page == "Run"
+                if to.page == "Run" and self._app_state.lab.state.keep_off[1] != "bad"
                 else ""
             )
         )
@@ -349,6 +349,7 @@ class StartPage(QWidget):
         mended = not self._app_state.lab.state.now.to_be_mended
         for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
             set_primary(again, first and mended)
+            again.setEnabled(known and not self._app_state.lab.state.now.failed)  # it is said above who is silent
         begins = to.page in ("Run", "Start")
         self.to_do.setText(to.words)
         self.go_on.setText(self.tr("Open {0}").format(translated(to.page)))

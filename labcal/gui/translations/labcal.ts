@@ -597,10 +597,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch off by hand: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -687,11 +683,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
+        <source>By hand: at its panel, or at its mains switch.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5923,10 +5915,6 @@
         <source>For who mends labcal; a problem report holds it:</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -6534,10 +6522,6 @@ after this step …</source>
     </message>
     <message>
         <source>{0} Or Close, and begin anew.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9750,10 +9734,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switch off by hand: {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>coil x</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9798,7 +9778,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>First switch off by hand the supply that does not answer.</source>
+        <source>First press COILS OFF (F12), then switch off by hand the supply that does not answer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9914,6 +9894,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the field says: still on ({1}, {0} µT more than with the coils off, {2})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9935,6 +9919,26 @@ after this step …</source>
     </message>
     <message>
         <source>{0} · run of {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF (F12), then switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not read yet: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero, its output open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>zero, its output not open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: answers again, no answer from {1} to {2}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -597,10 +597,6 @@
         <translation>Das Labor bleibt so zurück, wie es hier steht</translation>
     </message>
     <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
-    </message>
-    <message>
         <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
         <translation>Ist das Fenster zu, versucht der Wächter weiter, jede Spule auf null zu bringen; niemand sieht, ob es gelingt.</translation>
     </message>
@@ -687,12 +683,8 @@
         <translation>Noch keine Antwort von: {0}</translation>
     </message>
     <message>
-        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
-        <translation>An seinem Bedienfeld oder am Netzschalter; dann SPULEN AUS (F12) drücken.</translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
+        <source>By hand: at its panel, or at its mains switch.</source>
+        <translation>Von Hand: an seinem Bedienfeld oder am Netzschalter.</translation>
     </message>
 </context>
 <context>
@@ -5923,10 +5915,6 @@
         <source>For who mends labcal; a problem report holds it:</source>
         <translation>Für die, die labcal reparieren; ein Problembericht enthält es:</translation>
     </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
-    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -6518,10 +6506,6 @@
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
         <translation>Diese Messung ist zu Ende: „Schließen“, dann misst „Beginnen“ von vorn.</translation>
-    </message>
-    <message>
-        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
-        <translation>{0}. SPULEN AUS (F12) drücken oder {1} von Hand ausschalten.</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -9751,10 +9735,6 @@ diesem Schritt …</translation>
         <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
     </message>
     <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Von Hand ausschalten: {0}</translation>
-    </message>
-    <message>
         <source>coil x</source>
         <translation>Spule x</translation>
     </message>
@@ -9799,8 +9779,8 @@ diesem Schritt …</translation>
         <translation>{0} (seit {1})</translation>
     </message>
     <message>
-        <source>First switch off by hand the supply that does not answer.</source>
-        <translation>Zuerst das Netzgerät, das nicht antwortet, von Hand ausschalten.</translation>
+        <source>First press COILS OFF (F12), then switch off by hand the supply that does not answer.</source>
+        <translation>Zuerst SPULEN AUS (F12) drücken, dann das Netzgerät, das nicht antwortet, von Hand ausschalten.</translation>
     </message>
     <message>
         <source>First stop the platform at its controller, and see it stand.</source>
@@ -9915,6 +9895,10 @@ diesem Schritt …</translation>
         <translation>die Referenz sieht {0} µT längs {1} mehr als bei ausgeschalteten Spulen</translation>
     </message>
     <message>
+        <source>the field says: still on ({1}, {0} µT more than with the coils off, {2})</source>
+        <translation>das Feld sagt: noch an ({1}, {0} µT mehr als bei ausgeschalteten Spulen, {2})</translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation>{0}: nicht bei null bestätigt, als das Fenster geschlossen wurde, {1}</translation>
     </message>
@@ -9937,6 +9921,26 @@ diesem Schritt …</translation>
     <message>
         <source>{0} · run of {1}</source>
         <translation>{0} · Messung vom {1}</translation>
+    </message>
+    <message>
+        <source>COILS OFF (F12), then switch off by hand: {0}</source>
+        <translation>SPULEN AUS (F12), dann von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
+        <source>Not read yet: {0}</source>
+        <translation>Noch nicht gelesen: {0}</translation>
+    </message>
+    <message>
+        <source>zero, its output open</source>
+        <translation>null, sein Ausgang offen</translation>
+    </message>
+    <message>
+        <source>zero, its output not open</source>
+        <translation>null, sein Ausgang nicht offen</translation>
+    </message>
+    <message>
+        <source>{0}: answers again, no answer from {1} to {2}</source>
+        <translation>{0}: antwortet wieder, keine Antwort von {1} bis {2}</translation>
     </message>
 </context>
 <context>

@@ -597,10 +597,6 @@
         <translation>Le labo reste dans l&apos;état décrit ici</translation>
     </message>
     <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Couper à la main : {0}</translation>
-    </message>
-    <message>
         <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
         <translation>La fenêtre fermée, le gardien essaie encore de ramener chaque bobine à zéro ; personne ne voit s&apos;il y parvient.</translation>
     </message>
@@ -687,12 +683,8 @@
         <translation>Pas encore de réponse de : {0}</translation>
     </message>
     <message>
-        <source>At its panel, or at its mains switch; then press COILS OFF (F12).</source>
-        <translation>À son panneau, ou à son interrupteur secteur ; puis appuyez sur BOBINES À ZÉRO (F12).</translation>
-    </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Couper à la main : {0}</translation>
+        <source>By hand: at its panel, or at its mains switch.</source>
+        <translation>À la main : à son panneau, ou à son interrupteur secteur.</translation>
     </message>
 </context>
 <context>
@@ -5923,10 +5915,6 @@
         <source>For who mends labcal; a problem report holds it:</source>
         <translation>Pour qui répare labcal ; un rapport de problème le contient :</translation>
     </message>
-    <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Couper à la main : {0}</translation>
-    </message>
 </context>
 <context>
     <name>FitPage</name>
@@ -6518,10 +6506,6 @@
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
         <translation>Cette mesure est finie : « Fermer », puis « Démarrer » mesure de nouveau.</translation>
-    </message>
-    <message>
-        <source>{0}. Press COILS OFF (F12), or switch {1} off by hand.</source>
-        <translation>{0}. Appuyez sur BOBINES À ZÉRO (F12), ou coupez {1} à la main.</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -9751,10 +9735,6 @@ cette étape …</translation>
         <translation>Le gardien est perdu. BOBINES À ZÉRO (F12) fonctionne sans lui.</translation>
     </message>
     <message>
-        <source>Switch off by hand: {0}</source>
-        <translation>Couper à la main : {0}</translation>
-    </message>
-    <message>
         <source>coil x</source>
         <translation>bobine x</translation>
     </message>
@@ -9799,8 +9779,8 @@ cette étape …</translation>
         <translation>{0} (depuis {1})</translation>
     </message>
     <message>
-        <source>First switch off by hand the supply that does not answer.</source>
-        <translation>D&apos;abord, éteignez à la main l&apos;alimentation qui ne répond pas.</translation>
+        <source>First press COILS OFF (F12), then switch off by hand the supply that does not answer.</source>
+        <translation>Appuyez d&apos;abord sur BOBINES À ZÉRO (F12), puis coupez à la main l&apos;alimentation qui ne répond pas.</translation>
     </message>
     <message>
         <source>First stop the platform at its controller, and see it stand.</source>
@@ -9915,6 +9895,10 @@ cette étape …</translation>
         <translation>la référence voit {0} µT selon {1} de plus qu&apos;avec les bobines à zéro</translation>
     </message>
     <message>
+        <source>the field says: still on ({1}, {0} µT more than with the coils off, {2})</source>
+        <translation>le champ dit : encore en marche ({1}, {0} µT de plus que les bobines coupées, {2})</translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation>{0} : zéro non confirmé à la fermeture de la fenêtre, {1}</translation>
     </message>
@@ -9937,6 +9921,26 @@ cette étape …</translation>
     <message>
         <source>{0} · run of {1}</source>
         <translation>{0} · mesure du {1}</translation>
+    </message>
+    <message>
+        <source>COILS OFF (F12), then switch off by hand: {0}</source>
+        <translation>BOBINES À ZÉRO (F12), puis couper à la main : {0}</translation>
+    </message>
+    <message>
+        <source>Not read yet: {0}</source>
+        <translation>Pas encore lues : {0}</translation>
+    </message>
+    <message>
+        <source>zero, its output open</source>
+        <translation>zéro, sa sortie ouverte</translation>
+    </message>
+    <message>
+        <source>zero, its output not open</source>
+        <translation>zéro, sa sortie non ouverte</translation>
+    </message>
+    <message>
+        <source>{0}: answers again, no answer from {1} to {2}</source>
+        <translation>{0} : répond de nouveau, pas de réponse de {1} à {2}</translation>
     </message>
 </context>
 <context>

@@ -30,7 +30,7 @@ from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import reference_U
+from labcal.gui.viewmodels.lab_now import as_watched, reference_U
 from labcal.gui.viewmodels.lab_there import lab_there, platform_there
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
@@ -180,8 +180,8 @@ class AppState(QObject):
         self.named_serials.take(self.answered)
         known = lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
-        ambient = (at(self.facts, time.monotonic()) for at in (self.kept.ambient_nT, self.kept.off_nT))
-        self.take_lab(known if simulated else seconded(known, said, *ambient))
+        ambient, off = self.kept.ambient_nT(self.facts, self.now_s()), self.kept.off(self.facts, self.now_s())
+        self.take_lab(known if simulated else seconded(known, said, ambient, off))
         if self.off.unconfirmed is not None:
             self.off.look_again()
 
@@ -326,7 +326,7 @@ class AppState(QObject):
 
     def coil_words(self) -> str:
         """What may be said of the coils now."""
-        return self.lab.state.now.coil_words or state.NOT_READ
+        return as_watched(self.lab.state.now).coil_words or state.NOT_READ
 
     def platform_words(self) -> str:
         """What may be said of the platform now."""
@@ -364,6 +364,7 @@ class AppState(QObject):
             if not lifted:  # the supplies say so, and the reference has not been asked since
                 self.off.read_again()
         self.off.look_at_platform()
+        self.off.warn_anew()
         self._said_no_more.look("" if self.off.unconfirmed else self.off.warned)
 
     def _update_run(self) -> None:

@@ -7,13 +7,13 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.guardian import GUARDIAN, guardian_is
 from labcal.gui.viewmodels.lab_now import alarm_of, shown_name
 
 SEE_TO = QT_TRANSLATE_NOOP("Words", "{0}: see to plug, power and cable.")
 AGAIN = QT_TRANSLATE_NOOP("Words", "Read all asks again.")
 ALONE = QT_TRANSLATE_NOOP("Words", "The guardian is lost. COILS OFF (F12) works without it.")
-BY_HAND = QT_TRANSLATE_NOOP("Words", "Switch off by hand: {0}")
 
 
 def to_do(app_state: AppState) -> str:
@@ -30,7 +30,7 @@ def to_do(app_state: AppState) -> str:
         words = [translated(str(ALONE)), guardian_is(GUARDIAN), *words]
     if alarm := alarm_of(now.coil_words):
         off = app_state.by_hand()
-        words = [f"{alarm}. {translated(str(BY_HAND)).format(', '.join(off))}." if off else f"{alarm}.", *words]
+        words = [f"{alarm}. {by_hand_words(off)}." if off else f"{alarm}.", *words]
     return " ".join([*words, *filter(None, (now.in_common,))]) if words else ""
 
 

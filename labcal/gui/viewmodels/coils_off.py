@@ -18,12 +18,13 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.answers_again import LIFTED
+from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_heard import looked_at, named_before, wrong
 from labcal.gui.viewmodels.lab_now import mark_of, off_words, platform_mark, platform_said
-from labcal.gui.viewmodels.lab_off import switched_off
+from labcal.gui.viewmodels.lab_off import how_it_ended, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
 from labcal.gui.viewmodels.run import RunViewModel
@@ -130,7 +131,9 @@ class CoilsOff(QObject):
     def _known(self, said: SwitchedOff) -> None:
         window = self._window
         names = window.run.links
-        words = "; ".join(f"{one.axis}: {in_words(named_links(one.words, names, brief=True))}" for one in said.coils)
+        words = "; ".join(
+            f"{one.axis}: {how_it_ended(named_links(one.words, names, brief=True))}" for one in said.coils
+        )
         zero = all(axis.ok for axis in said.coils)
         window.kept.answered()
         self.earlier.take(said.earlier)
@@ -138,7 +141,8 @@ class CoilsOff(QObject):
         if said.doubt or not zero:
             self.warn(Fault("coils", words))
         else:
-            later = said.platform is not None and said.platform.fault == NOT_YET  # it is looked at again
+            old = platform_mark(window.lab.state.now.platform_words)[1] == "old"  # of before it was told to stop
+            later = old or (said.platform is not None and said.platform.fault == NOT_YET)  # it is looked at again
             report = off_words(words, window.lab.state.now.platform_words, later=later)
             self._report = (words, report) if later else None
             window.lab.update(message=report)
@@ -291,12 +295,26 @@ class CoilsOff(QObject):
         missed = ", ".join(self._window.by_hand())
         self.warn(Fault("coils", self.tr("No answer yet from: {0}").format(missed)))
 
+    def not_read(self) -> tuple[str, ...]:
+        """The supplies that are not to be switched off, as nobody has asked them yet."""
+        return self._window.kept.not_read(self._window.facts, self._window.now_s())
+
     def warn(self, fault: Fault) -> None:
         """Say that the coils may be on, whatever page is open: what to do first, the figures are on the card."""
-        remedy = self.tr("At its panel, or at its mains switch; then press COILS OFF (F12).")
+        remedy = self.tr("By hand: at its panel, or at its mains switch.")
         self.unconfirmed = replace(fault, kind="coils", remedy=remedy)
         self._window.fault.emit(self.unconfirmed)
-        by_hand, now = ", ".join(self._window.by_hand()), self._window.lab.state.now
-        first = self.tr("Switch off by hand: {0}").format(by_hand) if by_hand else self.unconfirmed.text
-        self.warned = "; ".join(filter(None, (first, platform_said(now.platform_words))))
+        self.warned = self._warning(self.unconfirmed)
         self._window.lab.update(message=self.warned)
+
+    def _warning(self, fault: Fault) -> str:
+        """For the line below: who is to be switched off now, and whether the platform stands; no age, it would stay."""
+        platform = self._window.lab.state.now.platform_words.partition(", read ")[0]
+        return "; ".join(filter(None, (by_hand_words(self._window.by_hand()) or fault.text, platform_said(platform))))
+
+    def warn_anew(self) -> None:
+        """The line below speaks of now, as the card does, as long as it says that."""
+        lab, before = self._window.lab, self.warned
+        if self.unconfirmed is not None and before and lab.state.message == before:
+            self.warned = self._warning(self.unconfirmed)
+            lab.update(message=self.warned, said_at=lab.state.said_at)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
@@ -10,30 +12,92 @@ from labcal.bench.coils.agreement import CHANGED, LIMIT_NT, OF_FIELD
 from labcal.bench.coils.before_hands import BeforeHands, least_that_matters_nT
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import LabNow, age_words
 
 SEES_MORE = QT_TRANSLATE_NOOP("Words", "the reference sees {0} µT along {1} more than with the coils off")
+STILL_ON = QT_TRANSLATE_NOOP("Words", "the field says: still on ({1}, {0} µT more than with the coils off, {2})")
+
+
+@dataclass(frozen=True, slots=True)
+class Off:
+    """What the reference sees [nT, C] with the coils off, and the least change of it that tells of a coil.
+
+    `limit_nT`: so far off a zero is seen all the same, whoever mounted meanwhile; None where a coil could hide in that.
+    """
+
+    field_nT: state.Vector
+    least_nT: float
+    limit_nT: float | None = None
+
+
+def off_as_measured(field_nT: state.Vector, facts: Bench, measured_s: float, now_s: float) -> Off:
+    """By the rule of `BeforeHands`, for what was measured at `measured_s`."""
+    before = BeforeHands(np.array(field_nT), measured_s)
+    hides = before.most_hidden_nT(LIMIT_NT, now_s) >= _matters_nT(facts)
+    return Off(field_nT, least_seen_nT(facts, measured_s, now_s), None if hides else before.limit_nT(LIMIT_NT, now_s))
 
 
 def least_seen_nT(facts: Bench, measured_s: float, now_s: float) -> float:
     """A change of more than that since `measured_s` is a coil's: no mounting makes it, a tenth of a limit does."""
+    return max(_matters_nT(facts), BeforeHands(np.zeros(3), measured_s).most_hidden_nT(LIMIT_NT, now_s))
+
+
+def _matters_nT(facts: Bench) -> float:
     cage = facts.cage
-    matters_nT = least_that_matters_nT(np.array(cage.matrix), np.array(cage.limit_A, dtype=float), OF_FIELD)
-    return max(matters_nT, BeforeHands(np.zeros(3), measured_s).most_hidden_nT(LIMIT_NT, now_s))
+    return least_that_matters_nT(np.array(cage.matrix), np.array(cage.limit_A, dtype=float), OF_FIELD)
 
 
-def more_than_off(known: state.LabState, facts: Bench | None) -> state.Vector | None:
-    """What the reference sees [nT, C] beyond the ambient field, where that tells of a coil that nobody owns to."""
+def more_than_off(known: state.LabState, facts: Bench | None, off: Off | None) -> tuple[state.Vector, float] | None:
+    """What the reference sees [nT, C] beyond the ambient field, and when, where a coil is on that nobody owns to."""
+    if facts is None:
+        return None
+    return _judged(known, facts) or (None if off is None else _beside_the_silent(known, facts, off))
+
+
+def _judged(known: state.LabState, facts: Bench) -> tuple[state.Vector, float] | None:
+    """By whoever compared it last: it sees no zero, or more change than a mounting makes."""
     seen, on = known.reference, any(coil.current_A is not None and not coil.zero for coil in known.coils)
-    if facts is None or on or seen.seen_nT is None or seen.expected_nT is None or seen.read_s is None:
+    if on or seen.seen_nT is None or seen.expected_nT is None or seen.read_s is None:
         return None
     if seen.verdict != "disagrees" and seen.why != CHANGED:
         return None
-    x, y, z = np.subtract(seen.seen_nT, seen.expected_nT).tolist()
-    return (x, y, z) if np.hypot(np.hypot(x, y), z) > least_seen_nT(facts, seen.read_s, seen.read_s) else None
+    if (known.field.read_s or seen.read_s) > seen.read_s and silent(known):  # what it saw since is newer
+        return None
+    return _beyond(seen.seen_nT, seen.expected_nT, least_seen_nT(facts, seen.read_s, seen.read_s), seen.read_s)
 
 
-def sees_more(more_nT: state.Vector) -> str:
-    """In words, along the axis on which it is most."""
-    most = max(range(3), key=lambda axis: abs(more_nT[axis]))
-    said = f"{more_nT[most] / 1000:+.{0 if abs(more_nT[most]) >= 1e4 else 1}f}".replace("-", "−")
-    return translated(str(SEES_MORE)).format(said, "xyz"[most])
+def _beside_the_silent(known: state.LabState, facts: Bench, off: Off) -> tuple[state.Vector, float] | None:
+    """By what it saw last, while a supply gives no answer; the others, on their way to zero, explain what they can."""
+    seen = known.field
+    if not silent(known) or seen.seen_nT is None or seen.read_s is None:
+        return None
+    flowing = np.array([abs(coil.current_A or 0.0) for coil in known.coils if coil.axis in tuple("xyz")])
+    columns = ["xyz".index(coil.axis) for coil in known.coils if coil.axis in tuple("xyz")]
+    of_others_nT = float(flowing @ np.linalg.norm(np.array(facts.cage.matrix), axis=0)[columns])
+    return _beyond(seen.seen_nT, off.field_nT, off.least_nT + of_others_nT, seen.read_s)
+
+
+def _beyond(
+    seen_nT: state.Vector, off_nT: state.Vector, least_nT: float, read_s: float
+) -> tuple[state.Vector, float] | None:
+    x, y, z = np.subtract(seen_nT, off_nT).tolist()
+    return ((x, y, z), read_s) if np.hypot(np.hypot(x, y), z) > least_nT else None
+
+
+def silent(known: state.LabState) -> bool:
+    """Whether a coil could not be read."""
+    return any(coil.current_A is None and coil.fault for coil in known.coils)
+
+
+def field_says(now: LabNow) -> str:
+    """In words, along the axis on which it is most, with its age where no supply tells; "" where it tells of nothing.
+
+    That a coil is on is said where one is not confirmed at zero; else it may be something very magnetic.
+    """
+    if (more := now.field_more_nT) is None:
+        return ""
+    most = max(range(3), key=[abs(one) for one in more].__getitem__)
+    more_nT = more[most]
+    said = f"{more_nT / 1000:+.{0 if abs(more_nT) >= 1e4 else 1}f}".replace("-", "−")
+    words = STILL_ON if now.coil_words.startswith(state.NOT_CONFIRMED) else SEES_MORE
+    return translated(str(words)).format(said, "xyz"[most], age_words(now.field_more_old_s))

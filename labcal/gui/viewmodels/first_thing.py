@@ -7,7 +7,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark, still_live
 
-BY_HAND = QT_TRANSLATE_NOOP("Words", "First switch off by hand the supply that does not answer.")
+BY_HAND = QT_TRANSLATE_NOOP(
+    "Words", "First press COILS OFF (F12), then switch off by hand the supply that does not answer."
+)
 CONTROLLER = QT_TRANSLATE_NOOP("Words", "First stop the platform at its controller, and see it stand.")
 WAIT = QT_TRANSLATE_NOOP("Words", "First wait until hands may go in.")
 

@@ -10,7 +10,7 @@ from labcal.bench.coils import state
 from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.field_witness import sees_more
+from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.lab_now import (
     LOOK_S,
     WATCHED_S,
@@ -89,9 +89,7 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """
     if left := left_words(now):
         return left, "bad"
-    first = [*filter(None, (now.closed_with, now.earlier_on))]
-    if now.field_more_nT is not None:  # whatever a supply says, or does not
-        first.append(sees_more(now.field_more_nT))
+    first = [*filter(None, (now.closed_with, now.earlier_on, field_says(now)))]  # whatever a supply says, or does not
     if first:
         why = [*first, *reasons(now.coil_words or state.NOT_READ, now.platform_words)]
         return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"

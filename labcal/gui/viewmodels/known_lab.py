@@ -9,13 +9,13 @@ import math
 from dataclasses import replace
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import MOVED
+from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED
 from labcal.gui.ipc.bench_facts import Bench
-from labcal.gui.viewmodels.field_witness import least_seen_nT, more_than_off
+from labcal.gui.viewmodels.field_witness import Off, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
-from labcal.gui.viewmodels.lab_now import LabNow, lab_now
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
-from labcal.gui.viewmodels.reference_again import ambient_of, mounted_anew
+from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
@@ -34,6 +34,7 @@ class KnownLab:
         self.asked = False  # another worker was asked to switch the coils off, and has not answered
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
+        self._lost_s: float | None = None  # since when a supply gives no answer
         self._last = LastCurrents()
         self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
@@ -41,19 +42,22 @@ class KnownLab:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
         self._last.keep(known.coils)
+        self._lost_s = (self._lost_s or now_s) if _lost(known) else None
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
-        if known.reference.verdict == "agrees" or mounted_anew(known):
+        agrees = known.reference.verdict == "agrees" and all(coil.current_A is not None for coil in known.coils)
+        if agrees or mounted_anew(known):  # beside a silent supply an agreement tells nothing: it is from before
             self._agreed = None if mounted_anew(known) else known
+        if known.reference.why == MOVED:
+            self._off = None
+        elif agrees and (self._off is None or known.reference.why != BEFORE_HANDS):  # that is as old as it was
+            self._off = known
 
-        if known.reference.verdict == "agrees" or known.reference.why == MOVED:
-            self._off = None if known.reference.why == MOVED else known
-
-    def off_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
-        """What the reference saw with the coils off [nT, C], and the least change of it that tells of a coil."""
-        seen_s = None if self._off is None else self._off.reference.read_s
-        if self._off is None or facts is None or seen_s is None or (found := ambient_of(self._off, facts)) is None:
+    def off(self, facts: Bench | None, now_s: float) -> Off | None:
+        """What the reference saw with the coils off, however long ago."""
+        measured_s = None if self._off is None else measured_at_s(self._off.reference)
+        if self._off is None or facts is None or measured_s is None or (found := ambient_of(self._off, facts)) is None:
             return None
-        return found[0], least_seen_nT(facts, seen_s, now_s)
+        return off_as_measured(found[0], facts, measured_s, now_s)
 
     def ambient_nT(self, facts: Bench | None, now_s: float) -> tuple[state.Vector, float] | None:
         """What the reference is to see with the coils at zero [nT, C], and how far off that may be; soon out of date.
@@ -110,7 +114,8 @@ class KnownLab:
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts))
-        now = replace(now, field_more_nT=None if known is None else more_than_off(known, facts))
+        if known is not None and (more := more_than_off(known, facts, self.off(facts, now_s))) is not None:
+            now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run
@@ -120,7 +125,7 @@ class KnownLab:
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
-        """The supplies that are not known to be at zero, by name: a person switches them off. All where none is known.
+        """The supplies that a person switches off, by name: those that gave no answer, or are on; else all.
 
         Where the reference sees a field that the supplies do not own to, those that could make it.
         """
@@ -128,14 +133,27 @@ class KnownLab:
         known = self.missed() if self.late(facts, now_s) else self.state
         if known is None:
             return tuple(named.values())
-        on = {coil.axis for coil in known.coils if not coil.zero}
-        lost = {coil.axis for coil in known.coils if coil.fault and coil.fault != UNANSWERED}
-        if lost and self.ordered_s is not None and now_s - self.ordered_s < LOST_FIRST_S:
-            on = lost  # the others were ordered to zero as well, and nothing says that they are not
+        on = {coil.axis for coil in known.coils if not coil.zero and (coil.fault or coil.current_A is not None)}
+        on = on or {coil.axis for coil in known.coils if not coil.zero}
+        if lost := _lost(known):
+            going = {coil.axis for coil in known.coils if coil.axis not in lost and self._goes_to_zero(coil, now_s)}
+            on -= going  # nothing says that they do not get there
         if known.reference.verdict == "disagrees":
             advised = {axis for axis, name in named.items() if name in known.reference.advice}
             on = on | advised or set(named)
         return tuple(name for axis, name in named.items() if axis in on)
+
+    def not_read(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
+        """The other supplies that nobody has read for so long that it says nothing of now, by name."""
+        known, by_hand = self.state or state.LabState(()), self.by_hand(facts, now_s)
+        old = {coil.axis for coil in known.coils if coil.read_s is None or now_s - coil.read_s > WATCHED_S}
+        return tuple(name for axis, name in supplies(facts).items() if axis in old and name not in by_hand)
+
+    def _goes_to_zero(self, coil: state.CoilReading, now_s: float) -> bool:
+        """Whether it may be on its way still: since zero was ordered, or by the run that lost another supply."""
+        driven_s = self._lost_s if coil.set_A else None  # at rest nobody knows what was set
+        since_s = max((s for s in (self.ordered_s, driven_s) if s is not None), default=-math.inf)
+        return now_s - since_s < LOST_FIRST_S
 
     def _silent(self) -> list[state.CoilReading]:
         coils = () if self.state is None else self.state.coils
@@ -146,6 +164,11 @@ class KnownLab:
         rates = {} if facts is None else dict(zip("xyz", facts.cage.ramp_A_per_s, strict=False))
         coils = () if self.state is None else self.state.coils
         return max((abs(c.current_A or 0.0) / rates[c.axis] for c in coils if c.axis in rates), default=0.0)
+
+
+def _lost(known: state.LabState) -> set[str]:
+    """The coils of which a supply gave no answer; what was not asked yet is not lost."""
+    return {coil.axis for coil in known.coils if coil.fault and coil.fault != UNANSWERED}
 
 
 def _unknown(coil: state.CoilReading) -> state.CoilReading:

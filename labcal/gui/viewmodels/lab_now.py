@@ -38,6 +38,7 @@ LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
 HOMES_S = 10  # so long a platform that a run turns may look for its zero unread
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
+TELLERS = ("coil-", "polarity", "reference", "platform")  # roles that tell how coils and platform are
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "heard before"),
@@ -88,8 +89,11 @@ class LabNow:
     field_why: str = ""  # none was measured, in words
     field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
+    field_more_old_s: int = 0
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
+    heard_at_s: tuple[tuple[str, float], ...] = ()  # likewise, by the computer's monotonic clock
+    silent_tellers: tuple[str, ...] = ()  # of those that tell how coils and platform are, who gives no answer now
     coils_lost: bool = False  # a supply gives no answer now, whatever it said before
     platform_lost: bool = False
     unread_since: str = ""  # by the clock on the wall: nobody has been at the window for long, and nobody reads
@@ -142,7 +146,8 @@ def lab_now(
     known = any(coil.current_A is not None for coil in lab.coils)
     at_zero = all(coil.zero for coil in lab.coils)
     seen_nT, seen_s = _field_seen(lab)
-    lost = {roles.get(one.name, "") for one in lab.instruments if one.fault}
+    silent = {one.name for one in lab.instruments if one.fault}
+    lost = {roles.get(name, "") for name in silent}
     return LabNow(
         coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
@@ -164,6 +169,8 @@ def lab_now(
         field_changing=driven and lab.field.changing and old_s(seen_s, now_s) is None,
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
+        heard_at_s=tuple((one.name, one.heard_s) for one in lab.instruments if one.heard_s is not None),
+        silent_tellers=tuple(n for n, role in roles.items() if role.startswith(TELLERS) and n in silent),
         coils_lost=any(role.startswith("coil-") for role in lost),
         platform_lost="platform" in lost,
     )

@@ -5,9 +5,24 @@ from __future__ import annotations
 import time
 from dataclasses import replace
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP
+
 from labcal.bench.coils import state
 from labcal.bench.essentials import AXES
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
+from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
+
+OUTPUTS = {
+    "zero, open": QT_TRANSLATE_NOOP("Words", "zero, its output open"),
+    "zero, not open": QT_TRANSLATE_NOOP("Words", "zero, its output not open"),
+}
+
+
+def how_it_ended(words: str) -> str:
+    """What is said of a coil that was switched off, in the window's language; what is open is its output."""
+    ended = OUTPUTS.get(words)
+    return in_words(words) if ended is None else translated(str(ended))
 
 
 def coil_read(said: CoilEnd) -> state.CoilReading:

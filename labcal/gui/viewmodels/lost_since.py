@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable
 from datetime import datetime, timedelta
 
@@ -25,14 +26,20 @@ class LostSince:
         self._since = dict[str, str]()
 
     def named(self, now: LabNow) -> list[str]:
-        """Who is lost, each with since when: from when it was heard last, where it was."""
-        ages = {shown_name(name): old_s for name, old_s in now.heard_old_s}
-        self._since = {one: self._since.get(one) or _ago(ages.get(one) or 0) for one in now.failed}
-        return [translated(str(SINCE)).format(one, since) for one, since in self._since.items()]
+        """Who is lost, each with since when."""
+        return [translated(str(SINCE)).format(one, since) for one, since in self.since(now).items()]
+
+    def since(self, now: LabNow) -> dict[str, str]:
+        """By who is lost: from when it was heard last, where it was."""
+        heard_s = {shown_name(name): at_s for name, at_s in now.heard_at_s}
+        self._since = {one: self._since.get(one) or _on_the_wall(heard_s.get(one)) for one in now.failed}
+        return self._since
 
 
-def _ago(seconds: int) -> str:
-    return f"{datetime.now() - timedelta(seconds=seconds):%H:%M:%S}"
+def _on_the_wall(heard_s: float | None) -> str:
+    """The time of its last word, to the second in which it was: as its age is said elsewhere."""
+    age_s = 0.0 if heard_s is None else time.monotonic() - heard_s
+    return f"{datetime.now() - timedelta(seconds=age_s):%H:%M:%S}"
 
 
 def to_be_seen_to(lost: Iterable[str], before: str, *, is_ready: bool) -> str:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.bench.coils import state
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_mark
 
 OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
@@ -19,8 +20,8 @@ STANDS = QT_TRANSLATE_NOOP("Words", "platform stands")
 def off_headline(now: LabNow) -> tuple[str, str]:
     """The words and their state; where the coils are not at zero no more than that, the card above says which.
 
-    Green as long as supplies and reference are read again and again; what is older than that has its age and another
-    colour, as every other value. How old the rest is, the side panel says.
+    Green as long as everybody it speaks of answers, and is read again and again; what is older has its age and
+    another colour, as every other value. How old the rest is, the side panel says.
     """
     now = as_watched(now)
     if not now.coil_words:
@@ -34,7 +35,10 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     if turns not in ("", "good"):
         shape, mark = "▲", "warning"
     seen = translated(str(SEEN)).format(age_words(now.reference_old_s)) if _seen_before(now) else ""
-    return translated(str(OFF)).format(shape, ", ".join(filter(None, (coils, stands, seen)))), mark
+    lost = translated(str(SHOWN)).format(", ".join(now.silent_tellers)).lstrip("✕ ") if now.silent_tellers else ""
+    if lost:
+        shape, mark = "▲", "warning"
+    return translated(str(OFF)).format(shape, ", ".join(filter(None, (coils, stands, seen, lost)))), mark
 
 
 def _seen_before(now: LabNow) -> bool:

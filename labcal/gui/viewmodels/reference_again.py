@@ -1,6 +1,7 @@
 """The reference, read again after the coils were switched off: whether it sees the zero that the supplies state.
 
-It is judged by the ambient field that a run compared it with last, and only until something was mounted anew.
+It is judged by the ambient field that a run compared it with last; once something was mounted anew, by the rule of
+`bench.coils.before_hands`.
 """
 
 from __future__ import annotations
@@ -10,9 +11,11 @@ from dataclasses import replace
 import numpy as np
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import CHANGED, LIMIT_NT, NO_AMBIENT, OF_BEFORE
+from labcal.bench.coils.agreement import BEFORE_HANDS, CHANGED, LIMIT_NT, NO_AMBIENT, OF_BEFORE
+from labcal.bench.coils.before_hands import DRIFT_NT_PER_H
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.lab_messages import InstrumentRead
+from labcal.gui.viewmodels.field_witness import Off
 
 CURRENT_FOLLOWS = 0.02  # of the coils' field, between what was set and what was read
 
@@ -35,11 +38,18 @@ def mounted_anew(known: state.LabState) -> bool:
     return known.reference.why in (NO_AMBIENT, *OF_BEFORE)
 
 
+def measured_at_s(agreed: state.Witness) -> float | None:
+    """When the ambient field was measured with which it agreed: long before, where only hands were there since."""
+    if agreed.read_s is None or agreed.why != BEFORE_HANDS:
+        return agreed.read_s
+    return agreed.read_s - (agreed.limit_nT - LIMIT_NT) / DRIFT_NT_PER_H * 3600  # its limit says how long before
+
+
 def seconded(
     known: state.LabState,
     said: tuple[InstrumentRead, ...],
     ambient: tuple[state.Vector, float] | None,
-    off: tuple[state.Vector, float] | None = None,
+    off: Off | None = None,
 ) -> state.LabState:
     """`known` with what the reference, if it was among those just read, says of a zero; a doubt stands until lifted.
 
@@ -53,13 +63,23 @@ def seconded(
     if zero and ambient is not None:
         return replace(known, reference=_witness(seen, ambient))
     if seen.field_nT is not None and off is not None:  # it tells of a supply that is silent, too
-        apart, least = float(np.linalg.norm(np.subtract(seen.field_nT, off[0]))), off[1]
+        apart, least = float(np.linalg.norm(np.subtract(seen.field_nT, off.field_nT))), off.least_nT
         if apart > least:
-            found = state.Witness("not known", CHANGED, seen.field_nT, off[0], apart, least, seen.read_s)
+            found = state.Witness("not known", CHANGED, seen.field_nT, off.field_nT, apart, least, seen.read_s)
             return replace(known, reference=found)
     if zero:
-        return replace(known, reference=_witness(seen, ambient))
+        return replace(known, reference=_witness(seen, None) if off is None else _by_off(seen, off))
     return replace(known, reference=state.Witness(why=NO_AMBIENT)) if known.reference.why == CHANGED else known
+
+
+def _by_off(seen: InstrumentRead, off: Off) -> state.Witness:
+    """By what it saw before hands were there: an agreement where that excludes a current that matters; no doubt."""
+    if seen.field_nT is None:
+        return _witness(seen, None)
+    apart = float(np.linalg.norm(np.subtract(seen.field_nT, off.field_nT)))
+    if off.limit_nT is None or apart > off.limit_nT:
+        return state.Witness(why=BEFORE_HANDS)
+    return state.Witness("agrees", BEFORE_HANDS, seen.field_nT, off.field_nT, apart, off.limit_nT, seen.read_s)
 
 
 def _witness(seen: InstrumentRead, ambient: tuple[state.Vector, float] | None) -> state.Witness:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from datetime import datetime
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
@@ -12,6 +13,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.run import RunViewModel
 
 EVERYBODY = (
@@ -19,7 +21,7 @@ EVERYBODY = (
     ("LabWatch", "{0} of {1} instruments were read"),
 )
 NUMBERS = {r"\{0\}": r"(\d+)", r"\{1\}": r"\1"}
-AGAIN = QT_TRANSLATE_NOOP("Words", "{0}: answers again")
+AGAIN = QT_TRANSLATE_NOOP("Words", "{0}: answers again, no answer from {1} to {2}")
 
 
 def _all(form: tuple[str, str]) -> re.Pattern[str]:
@@ -33,7 +35,9 @@ class SaidNoMore:
 
     def __init__(self, lab: LabViewModel, run: RunViewModel) -> None:
         self._lab, self._run = lab, run
-        self._lost = set[str]()
+        self._lost, self._times = set[str](), LostSince()
+        self._since = dict[str, str]()
+        self._was_out = dict[str, str]()  # by who was lost and is back: when it was last, in words
 
     def look(self, warned: str = "") -> None:
         """`warned`: what was said of coils that were not confirmed, and are; they are said to be as they are now.
@@ -42,14 +46,22 @@ class SaidNoMore:
         """
         message, now = self._lab.state.message, self._lab.state.now
         back, self._lost = sorted(self._lost - set(now.failed)), set(now.failed)
+        self._was_out |= {one: self._out(one) for one in back}
+        self._since = self._times.since(now)
         zero = now.coils_at_zero and any(said in message for said in (ORDERED, in_words(ORDERED)))
         named = [one for one in back if one in message]
         if now.failed and any(_all(form).fullmatch(message) for form in EVERYBODY):
             self._say(translated(str(SHOWN)).format(", ".join(now.failed)))
         elif zero or (warned and message == warned):
-            self._say("; ".join(filter(None, (in_words(now.coil_words), platform_said(now.platform_words)))))
+            out = [said for one, said in self._was_out.items() if one in message and one not in now.failed]
+            said = (*out, in_words(now.coil_words), platform_said(now.platform_words))
+            self._say("; ".join(filter(None, said)))
         elif named:
-            self._say(translated(str(AGAIN)).format(", ".join(named)))
+            self._say("; ".join(self._was_out[one] for one in named))
+
+    def _out(self, name: str) -> str:
+        """That it answers again, and from when to when it did not."""
+        return translated(str(AGAIN)).format(name, self._since.get(name, ""), f"{datetime.now():%H:%M:%S}")
 
     def _say(self, words: str) -> None:
         if self._run.alive:

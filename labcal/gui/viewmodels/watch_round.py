@@ -1,6 +1,7 @@
 """In which order the lab is read at rest: the coils every second, everybody else one by one between them. No widgets.
 
-Who is slow, or silent, so keeps nobody waiting but for one answer: the coils tell whether hands may be there.
+Who is slow, or silent, so keeps nobody waiting but for one answer: the coils tell whether hands may be there. Where a
+supply is silent, and a look at the coils takes longer than to the next one, the others have as long after it.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ class WatchRound:
         self._is_coil = is_coil
         self._due: list[Names] = []
         self._read_s: dict[str, float] = {}  # others, when they were asked last
+        self._left_s = 0.0  # which the others have before the coils are looked at again
         self._took_s = deque[float](maxlen=LAST)
         self._others_s: dict[str, float] = {}  # what the last look at each of them took: coils wait for one of these
 
@@ -53,13 +55,16 @@ class WatchRound:
         """Who is to be asked now, in one question; none where this round is over."""
         if not self._due:
             return ()
-        names = self._due.pop(0)
+        others = [due for due in self._due if not self._is_coil(due[0])]
+        names = others[0] if others and self._left_s > 0 else self._due[0]
+        self._due.remove(names)
         self._read_s |= {name: now_s for name in names if not self._is_coil(name)}
         return names
 
     def took(self, names: Sequence[str], seconds: float, *, answered: bool = True) -> None:
         """So long it took until these were read; or, not `answered`, known to be silent."""
         coils = bool(names) and all(map(self._is_coil, names))
+        self._left_s = (seconds if seconds > COILS_S else 0.0) if coils else self._left_s - seconds
         if coils and answered:
             self._took_s.append(seconds)
         elif not coils:
@@ -67,7 +72,7 @@ class WatchRound:
 
     def forget(self) -> None:
         """Nobody is due: somebody else wants the lines."""
-        self._due = []
+        self._due, self._left_s = [], 0.0
         self._read_s = {}
         self._took_s.clear()
         self._others_s = {}

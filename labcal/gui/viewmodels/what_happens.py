@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
@@ -63,19 +65,26 @@ def at_rest(now: LabNow) -> bool:
 
 def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     """The heading over every page, and its state: while anything is on, may be, or is promised to come on; else ""."""
-    unknown = now.coil_words in (state.NOT_SINCE, state.NOT_YET)
+    unknown = now.coil_words in (state.NOT_SINCE, state.NOT_YET) and not begins(run, now)
     promised = run.hands_off and run.state not in ("asking", "paused")  # until anything is asked
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
         return translated(str(OFF)), "bad"
     left = now.left_by or now.closed_with
     told = bool(now.coil_words or left or now.coils_lost or now.platform_lost)  # else there is no lab
-    mark = hands_of(now)[1] if told or run.alive else "good"
+    known = replace(now, coil_words=state.NOT_READ) if begins(run, now) else now
+    mark = hands_of(known)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return translated(str(OFF)), "bad"
     unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
     out = unread or asked_out(run, now) or (run.alive and mark not in MAY)
     return (translated(str(OUT)), "warning") if out else ("", "")
+
+
+def begins(run: RunViewModel, now: LabNow) -> bool:
+    """Whether a run of this window has not read the coils yet: it energises nothing before. Else nobody knows."""
+    unread = now.coil_words in ("", state.NOT_READ, state.NOT_YET)
+    return run.alive and run.unread and not run.unheard and unread and not (now.left_by or now.closed_with)
 
 
 def asked_out(run: RunViewModel, now: LabNow) -> str:
@@ -102,8 +111,12 @@ def kept_out(run: RunViewModel, now: LabNow) -> tuple[str, str, bool]:
     stands for ever.
     """
     words, mark = keep_off(run, now)
-    if run.prompt is not None and run.prompt.key == READY and now.failed and mark != "bad":
+    ready = run.prompt is not None and run.prompt.key == READY
+    if ready and now.failed and mark != "bad":
         return translated(str(SHOWN)).format(", ".join(now.failed)), "bad", False
+    may_turn = now.platform_words.startswith(state.MAY_TURN) and not run.virtual_time
+    if ready and may_turn and not now.failed:  # its line is back, and nobody has seen it stand yet
+        return f"✕ {in_words(state.MAY_TURN)}", "bad", True
     sends = run.prompt is not None and run.prompt.acts and run.prompt.key != READY and DIAL not in run.prompt.drawing
     if not sends or now.coil_words in ("", state.NOT_YET):
         return "", "", False
@@ -122,7 +135,7 @@ def at_hands(run: RunViewModel, now: LabNow, facts: Bench | None) -> dict[str, t
 def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     """Whether they may go in, and why not: what is known first, then what comes unasked."""
     promised = run.hands_off and run.state not in ("asking", "paused")
-    words, mark = hands_of(now)
+    words, mark = hands_of(replace(now, coil_words=state.NOT_READ) if begins(run, now) else now)
     if mark != "bad" and run.alive and (promised or run.segment is not None):
         comes = STOPS if run.state == "stopping" else COMES  # nothing comes once the end is ordered
         return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"

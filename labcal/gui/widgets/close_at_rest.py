@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.widgets.common import button, label, set_state
 from labcal.gui.widgets.fault_card import TITLES
 from labcal.gui.widgets.growing_dialog import GrowingDialog
@@ -52,7 +53,7 @@ class CloseAtRest(GrowingDialog):
         The heading is of what is not confirmed: the coils first.
         """
         self.heading.setText(translated(TITLES["coils" if by_hand or coils_in_doubt else "platform"]))
-        self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(by_hand)))
+        self.by_hand.setText(by_hand_words(by_hand))
         self.by_hand.setVisible(bool(by_hand))
         self.coils.setText(coils)
         self.platform.setText(platform)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.by_hand import by_hand_words, not_read_words
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
@@ -39,6 +40,13 @@ KEEP_OFF = ("coils", "platform")  # whose heading says that hands have to be off
 HANDS_MS = 500  # between two looks whether they may go near
 
 
+def without(hands: str, said: str) -> str:
+    """What is said of `hands`, without the reasons that the card has `said` in larger letters with what to do."""
+    answer, apart, why = hands.partition(": ")
+    left = [reason for reason in why.split("; ") if not said or reason not in said]
+    return f"{answer}{apart}{'; '.join(left)}" if left else answer
+
+
 class FaultCard(WholeCard):
     """Words, state of the coils where that matters, what to do, details and "save a problem report".
 
@@ -59,10 +67,12 @@ class FaultCard(WholeCard):
         self.hands_timer = QTimer(self, interval=HANDS_MS)
         self.hands_timer.timeout.connect(self.say_hands)
         self.fault: Fault | None = None
+        self._tells_coils = False
         self.gravest = label("", "large", wrap=True)  # in place of the heading: nothing on the card is larger
         set_state(self.gravest, "bad")
         self.by_hand = label("", "ask", wrap=True)
         set_state(self.by_hand, "bad")
+        self.not_read = label("", "caption", wrap=True)
         self.text, self.coils, self.remedy = (label("", wrap=True) for _ in range(3))
         self.platform, self.turning = label("", wrap=True), label("", "title", wrap=True)
         self.meaning = label("", "caption", wrap=True)  # of a word that stands above, and in no manual of an instrument
@@ -92,7 +102,7 @@ class FaultCard(WholeCard):
         row.addStretch()
         row.addWidget(self.close_card)
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
-        for part in (self.gravest, self.by_hand, self.turning, self.hands, *said, self.details):
+        for part in (self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said, self.details):
             self.body.addWidget(part)
         self.body.addLayout(row)
         self.hide()
@@ -101,10 +111,11 @@ class FaultCard(WholeCard):
         """Show `fault`, or nothing."""
         if fault is self.fault:
             return None
-        self.fault = fault
+        self.fault, self._tells_coils = fault, False
         self.say_hands()
         self.coils.hide()
         self.by_hand.hide()
+        self.not_read.hide()
         self.platform.hide()
         self.turning.hide()
         self.text.show()
@@ -145,6 +156,11 @@ class FaultCard(WholeCard):
         if holder is not None and self.isVisible():
             holder.ensureWidgetVisible(self)
 
+    def say_not_read(self, supplies: Sequence[str]) -> None:
+        """Whom nobody has asked yet; a line of their own is kept for them, so that nothing moves below it."""
+        self.not_read.setText(not_read_words(supplies) or " ")
+        self.not_read.setVisible(not self.by_hand.isHidden())
+
     def say_coils(self, words: str, supplies: Sequence[str] = (), known: str = "") -> None:
         """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
 
@@ -152,11 +168,11 @@ class FaultCard(WholeCard):
         what to look at first where several are silent.
         """
         self.coils.setText(in_words(words))
-        self.coils.show()
+        self._tells_coils = True
         self.by_hand.setVisible(bool(supplies))
         self.text.setVisible(not supplies)
         if supplies and self.fault is not None:
-            self.by_hand.setText(self.tr("Switch off by hand: {0}").format(", ".join(supplies)))
+            self.by_hand.setText(by_hand_words(supplies))
             short = in_words(words.partition(";")[0].partition(":")[0])
             self.coils.setText(f"{short}. {known}" if known else short)
             figures = in_words(words), in_words(self.fault.text)
@@ -164,6 +180,7 @@ class FaultCard(WholeCard):
             if (details := "\n".join(filter(None, said))) != self.details.toPlainText():
                 self.details.setPlainText(details)
             self.fold.show()
+        self._say_coils_once()
 
     def let_check_zero(self, may: bool) -> None:
         """Whether a zero is in doubt that can be measured again: every supply says that it is one."""
@@ -178,10 +195,16 @@ class FaultCard(WholeCard):
         lost = self._hands is not None and self.fault is not None and self.fault.kind == "instrument"
         if lost and self._hands is not None:
             words, mark = self._hands()
-            self.hands.setText(words)
+            self.hands.setText(without(words, "" if self.turning.isHidden() else self.turning.text()))
             set_state(self.hands, mark)
         self.hands.setVisible(lost)
+        self._say_coils_once()
         self.hands_timer.start() if lost else self.hands_timer.stop()
+
+    def _say_coils_once(self) -> None:
+        """What is said beside "Hands may go in" is not said again below it."""
+        again = not self.hands.isHidden() and self.coils.text() in self.hands.text()
+        self.coils.setVisible(self._tells_coils and not again)
 
     def say_platform(self, words: str) -> None:
         """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
@@ -191,6 +214,7 @@ class FaultCard(WholeCard):
             place.setText(f"{shape} {platform_said(words)}")
             place.setVisible(bool(words) and shown)
             set_state(place, mark)
+        self.say_hands()
 
     def _close(self) -> None:
         self.hide()
