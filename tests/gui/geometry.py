@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from itertools import combinations
 
 import pyqtgraph as pg
@@ -9,6 +10,7 @@ from PySide6.QtCore import QPoint, QRect, QRectF, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractScrollArea,
+    QApplication,
     QComboBox,
     QGraphicsTextItem,
     QLabel,
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 
 from labcal.gui.widgets.common import AutoSizeLabel, Card, plain
+from labcal.gui.widgets.deferred_repaint import Ground
 from labcal.gui.widgets.mounting_view import Mounting
 
 SLACK_PX = 1
@@ -28,6 +31,7 @@ WRAP = int(Qt.TextFlag.TextWordWrap)
 
 def faults(window: QWidget) -> list[str]:
     """Every text of `window` in sight that is cut, and every two that overlap, in words."""
+    _come_to_rest(window)
     parts = [one for one in window.findChildren(QWidget) if isinstance(one, KINDS) and _in_sight(one)]
     found = [f"{_named(one)} {what}" for one in parts if (what := _cut(one))]
     places = [(one, _place(one, window)) for one in parts]
@@ -36,6 +40,14 @@ def faults(window: QWidget) -> list[str]:
         if lies.isValid() and not one.isAncestorOf(other) and not other.isAncestorOf(one):
             found.append(f"{_named(one)} and {_named(other)} lie over each other by {lies.width()} x {lies.height()}")
     return found + [fault for kind, look in PAINTED.items() for one in _seen(window, kind) for fault in look(one)]
+
+
+def _come_to_rest(window: QWidget) -> None:
+    """Plots that are to be drawn anew are blank until then: nothing in them would be found."""
+    until_s = time.monotonic() + 2.0
+    while any(ground.isVisible() for ground in window.findChildren(Ground)) and time.monotonic() < until_s:
+        QApplication.processEvents()
+        time.sleep(0.002)
 
 
 def _seen(window: QWidget, kind: type[QWidget]) -> list[QWidget]:
