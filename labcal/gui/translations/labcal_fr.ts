@@ -6382,6 +6382,10 @@
 <context>
     <name>HoldButton</name>
     <message>
+        <source>▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.</source>
+        <translation>▲ Lâchez {0} : la touche était déjà enfoncée avant cette question. Puis tenez-la 0,7 s.</translation>
+    </message>
+    <message>
         <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
         <translation>▲ {0} a été pressée avant que cette question prenne une réponse. Pressez de nouveau.</translation>
     </message>
