@@ -193,14 +193,14 @@ def test_a_method_that_was_fitted_marks_fit(still, path):
     study.open("r1")
     study.waiting = []
     study.fit("ml")
-    assert (marks(still)[1], still.next.text()) == ("●", "Next: Fitting: see how far")  # and not what comes after that
+    assert (marks(still)[1], still.next.text()) == ("●", "Next: See how far the fit is")  # and not what comes after that
     assert still.next.isEnabled()
     still.open_page("Fit")
     assert not still.next.isEnabled()
     still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
     assert (marks(still)[1], still.next.text()) == ("✓", "Next: Trace the residual")
     study.close_loop()
-    assert (marks(still)[2], still.next.text()) == ("●", "Next: Tracing: see how far")
+    assert (marks(still)[2], still.next.text()) == ("●", "Next: See how far the trace is")
 
 
 MEASURED = {

@@ -380,3 +380,4 @@ class CalibrationFile:
     simulated: bool = False
     unexplained: str = ""  # by the loop that made it: a sentence
     not_measured: tuple[str, ...] = ()  # of K and k: held as they stand
+    left_nT: float | None = None  # of |b| in held-out rows, by the fit that made it

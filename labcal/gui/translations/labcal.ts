@@ -7085,14 +7085,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tracing: see how far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fitting: see how far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7110,6 +7102,14 @@ after this step …</source>
     </message>
     <message>
         <source>Go on with {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how far the trace is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how far the fit is</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9931,6 +9931,14 @@ after this step …</source>
     </message>
     <message>
         <source>{0} · run of {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -7086,14 +7086,6 @@ diesem Schritt …</translation>
         <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
-        <source>Tracing: see how far</source>
-        <translation>Wird zurückverfolgt: ansehen</translation>
-    </message>
-    <message>
-        <source>Fitting: see how far</source>
-        <translation>Wird gerechnet: ansehen</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Die anderen Verfahren versuchen</translation>
     </message>
@@ -7112,6 +7104,14 @@ diesem Schritt …</translation>
     <message>
         <source>Go on with {0}</source>
         <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
+        <source>See how far the trace is</source>
+        <translation>Suche läuft: ansehen</translation>
+    </message>
+    <message>
+        <source>See how far the fit is</source>
+        <translation>Rechnung läuft: ansehen</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -9704,7 +9704,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
-        <translation>▲ Offen in der Messung selbst: {0}. Eine Freigabe nimmt das so hin.</translation>
+        <translation>▲ Offen in der Messung selbst: {0}. Eine Genehmigung nimmt das so hin.</translation>
     </message>
     <message>
         <source>{0} not measured</source>
@@ -9933,6 +9933,14 @@ diesem Schritt …</translation>
     <message>
         <source>{0} · run of {1}</source>
         <translation>{0} · Messung vom {1}</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
+        <translation>▲ Rest nicht erklärt: {0} nT von |b| bleiben über die Abbildung hinaus übrig, und niemand hat nach ihrer Ursache gesucht.</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
+        <translation>▲ Rest nicht erklärt: Niemand hat nach der Ursache dessen gesucht, was über die Abbildung hinaus übrig bleibt.</translation>
     </message>
 </context>
 <context>

@@ -1837,7 +1837,7 @@
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
-        <translation>{0} : ne s&apos;ouvre pas : la phrase secrète est fausse ou le fichier endommagé</translation>
+        <translation>{0} : ne s&apos;ouvre pas : la phrase de passe est fausse ou le fichier endommagé</translation>
     </message>
     <message>
         <source>{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)</source>
@@ -7086,14 +7086,6 @@ cette étape …</translation>
         <translation>Dire qui travaille</translation>
     </message>
     <message>
-        <source>Tracing: see how far</source>
-        <translation>Recherche en cours : voir</translation>
-    </message>
-    <message>
-        <source>Fitting: see how far</source>
-        <translation>Ajustement en cours : voir</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Essayer les autres méthodes</translation>
     </message>
@@ -7112,6 +7104,14 @@ cette étape …</translation>
     <message>
         <source>Go on with {0}</source>
         <translation>Continuer {0}</translation>
+    </message>
+    <message>
+        <source>See how far the trace is</source>
+        <translation>Voir la recherche en cours</translation>
+    </message>
+    <message>
+        <source>See how far the fit is</source>
+        <translation>Voir l&apos;ajustement en cours</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -9933,6 +9933,14 @@ cette étape …</translation>
     <message>
         <source>{0} · run of {1}</source>
         <translation>{0} · mesure du {1}</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
+        <translation>▲ Résidu non expliqué : {0} nT de |b| restent au-delà de la transformation, et personne n&apos;en a cherché la cause.</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
+        <translation>▲ Résidu non expliqué : personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
     </message>
 </context>
 <context>

@@ -203,7 +203,7 @@ class PathViewModel(QObject):
         studied = self._study.of(last.run_id)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and (studied is None or studied.best() is None)):
             traces = marks["Loop"] == "now"
-            words = self.tr("Tracing: see how far") if traces else self.tr("Fitting: see how far")
+            words = self.tr("See how far the trace is") if traces else self.tr("See how far the fit is")
             return Next("Loop" if traces else "Fit", words, last.run_id, waits=True)
         if marks["Fit"] == "broken":
             others = Next("Fit", self.tr("Try the other methods"), presses=True)
