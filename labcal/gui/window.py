@@ -73,7 +73,7 @@ class Window(Frame):
         self.lazy_pages = {
             name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
         }
-        super().__init__(app_state.lab, dict(self.lazy_pages))
+        super().__init__(app_state.lab, dict(self.lazy_pages), app_state.said_for_now)
         self.style_queue = IdleQueue(self)
         self.prebuild_timer = QTimer(self, singleShot=True)
         self.prebuild_timer.timeout.connect(self.prebuild)
@@ -192,7 +192,7 @@ class Window(Frame):
         self._restyle()
         if not room:
             words = self.tr("The window has no room for larger letters: make it larger.")
-            self.app_state.lab.update(message=words)
+            self.app_state.said_for_now.say(words)
             say_at(self.size_switch, words)  # a run writes the line below anew, many times a second
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
@@ -286,7 +286,7 @@ class Window(Frame):
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or nothing_to_do)
 
     def _page_turned(self) -> None:
-        self.app_state.put_away_said()
+        self.app_state.said_at_the_end.put_away(self.page_shown())
         self.app_state.one_dut.settle()
         self.shown_bar.show_page(self.page_shown())
         self._show_next()

@@ -193,7 +193,10 @@ def test_a_method_that_was_fitted_marks_fit(still, path):
     study.open("r1")
     study.waiting = []
     study.fit("ml")
-    assert (marks(still)[1], still.next.text()) == ("●", "Next: See how far the fit is")  # and not what comes after that
+    assert (marks(still)[1], still.next.text()) == (
+        "●",
+        "Next: See how far the fit is",
+    )  # not what comes then
     assert still.next.isEnabled()
     still.open_page("Fit")
     assert not still.next.isEnabled()

@@ -74,7 +74,7 @@ class CertificatePage(QWidget):
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
         app_state.one_dut.changed.connect(self._other_dut)
-        app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
+        app_state.quick_worker.progress.connect(self._say_progress)
         app_state.path.changed.connect(self._say_path)
         self._show()
 
@@ -255,6 +255,10 @@ class CertificatePage(QWidget):
             self._say_to_do(one, stands)
             self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
+
+    def _say_progress(self, step: str) -> None:
+        """Of a run that is worked out again."""
+        self.said.setText(in_words(step))
 
     def _say_path(self) -> None:
         """What Next says, here as in the bar below."""

@@ -3816,6 +3816,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>working the calibration out again: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitting by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7946,10 +7954,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9323,6 +9327,10 @@ after this step …</source>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -3816,6 +3816,14 @@
         <translation>Die Messwerte folgen der Referenz nicht: Das Grundmodell lässt {0} von {1} nT übrig, und kein Umdrehen oder Vertauschen von Achsen und kein Versatz einer Uhr erklärt es.</translation>
     </message>
     <message>
+        <source>working the calibration out again: {0}</source>
+        <translation>die Kalibrierung wird noch einmal gerechnet: {0}</translation>
+    </message>
+    <message>
+        <source>fitting by {0}</source>
+        <translation>Anpassung nach {0}</translation>
+    </message>
+    <message>
         <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
         <translation>bisher {0}, noch nicht bewiesen: {1} auf {2} Mal das Rauschen in den durchsuchten Zeilen</translation>
     </message>
@@ -7899,10 +7907,6 @@ diesem Schritt …</translation>
         <translation>Weiter mit {0}</translation>
     </message>
     <message>
-        <source>Open {0}</source>
-        <translation>{0} öffnen</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
     </message>
@@ -9325,6 +9329,10 @@ diesem Schritt …</translation>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
+    </message>
+    <message>
+        <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
+        <translation>Der Verzug sagt, wie spät der Prüfling hinter dem Winkel der Plattform liest. Er kommt aus Drehungen hin und zurück um eine Achse ohne Unterbrechung; nach Weiter bleiben davon zu wenige. So bekommt man ihn: sync-check oder ein neuer Preflight.</translation>
     </message>
     <message>
         <source>How good the calibration is, Fit and Loop judge.</source>

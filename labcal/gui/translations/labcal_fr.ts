@@ -3816,6 +3816,14 @@
         <translation>Les lectures ne suivent pas la référence : le modèle de base laisse {0} de {1} nT, et ni retournement ni échange d&apos;axes ni décalage d&apos;horloge ne l&apos;explique.</translation>
     </message>
     <message>
+        <source>working the calibration out again: {0}</source>
+        <translation>l&apos;étalonnage est recalculé : {0}</translation>
+    </message>
+    <message>
+        <source>fitting by {0}</source>
+        <translation>ajustement par {0}</translation>
+    </message>
+    <message>
         <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
         <translation>jusqu’ici {0}, pas encore prouvé : de {1} à {2} fois le bruit dans les lignes examinées</translation>
     </message>
@@ -7899,10 +7907,6 @@ cette étape …</translation>
         <translation>Continuer {0}</translation>
     </message>
     <message>
-        <source>Open {0}</source>
-        <translation>Ouvrir {0}</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
     </message>
@@ -9325,6 +9329,10 @@ cette étape …</translation>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
         <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
+    </message>
+    <message>
+        <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
+        <translation>Le retard est celui de la lecture du DUT sur l&apos;angle de la plateforme. Il vient de tours aller et retour autour d&apos;un axe sans interruption ; après Continuer, il en reste trop peu. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
     </message>
     <message>
         <source>How good the calibration is, Fit and Loop judge.</source>
