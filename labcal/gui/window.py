@@ -298,14 +298,12 @@ class Window(Frame):
             return self.app_state.off.order()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
             return does.click()
+        if to.in_the_bar and (field := self.top.wanted(self.app_state.lab.state)) is not None:
+            return field.setFocus(Qt.FocusReason.TabFocusReason)  # it is in sight: the page stays, with what is on it
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
-        state = self.app_state.lab.state
-        wanted: list[QWidget] = []
-        if to.page == "Start" and state.bench:
-            wanted += [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
-            wanted += [self.top.operator] * (not state.operator or bool(state.operator_objection))
-        for widget in [*wanted, *begins_at(self.lazy_pages[to.page])][:1]:
+        at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
+        for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
             self.lazy_pages[to.page].show_part(widget)
         return None

@@ -243,6 +243,11 @@ class Comparison:
     changes: Changes | None
     refused: str = ""
 
+    @property
+    def two_duts(self) -> bool:
+        """Whether nothing of them is a change of one DUT."""
+        return self.older.dut != self.newer.dut
+
 
 @dataclass(frozen=True, slots=True)
 class Proposal:

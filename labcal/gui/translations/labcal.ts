@@ -778,7 +778,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <source>mean {0} nT, rms {1} nT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6134,7 +6134,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <source>mean {0} nT, rms {1} nT</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8055,6 +8055,10 @@ after this step …</source>
         <source>You are needed at {0}: {1}</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>You are needed within a minute: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>TopBar</name>
@@ -9947,6 +9951,10 @@ after this step …</source>
     </message>
     <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -778,8 +778,8 @@
         <translation>ohne Referenz kein Rest</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>Mittel {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>Mittel {0} nT, rms {1} nT</translation>
     </message>
     <message>
         <source>faint: behind the sphere</source>
@@ -6134,8 +6134,8 @@
         <translation>kalibriert</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>Mittel {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>Mittel {0} nT, rms {1} nT</translation>
     </message>
 </context>
 <context>
@@ -8056,6 +8056,10 @@ diesem Schritt …</translation>
         <source>You are needed at {0}: {1}</source>
         <translation>Sie werden um {0} gebraucht: {1}</translation>
     </message>
+    <message>
+        <source>You are needed within a minute: {0}</source>
+        <translation>Sie werden in einer Minute gebraucht: {0}</translation>
+    </message>
 </context>
 <context>
     <name>TopBar</name>
@@ -9949,6 +9953,10 @@ diesem Schritt …</translation>
     <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation>▲ Rest nicht erklärt: Niemand hat nach der Ursache dessen gesucht, was über die Abbildung hinaus übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
+        <translation>Sie sind von zwei Prüflingen: Offsets und Skalenfaktoren sind keine Änderung von einem und stehen in keiner Tabelle. Reste und Ortskurven von beiden sind unten gezeichnet.</translation>
     </message>
 </context>
 <context>

@@ -778,8 +778,8 @@
         <translation>sans référence, pas de résidu</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>moyenne {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>moyenne {0} nT, rms {1} nT</translation>
     </message>
     <message>
         <source>faint: behind the sphere</source>
@@ -6134,8 +6134,8 @@
         <translation>étalonné</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>moyenne {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>moyenne {0} nT, rms {1} nT</translation>
     </message>
 </context>
 <context>
@@ -8056,6 +8056,10 @@ cette étape …</translation>
         <source>You are needed at {0}: {1}</source>
         <translation>On a besoin de vous à {0} : {1}</translation>
     </message>
+    <message>
+        <source>You are needed within a minute: {0}</source>
+        <translation>On a besoin de vous d&apos;ici une minute : {0}</translation>
+    </message>
 </context>
 <context>
     <name>TopBar</name>
@@ -9949,6 +9953,10 @@ cette étape …</translation>
     <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation>▲ Résidu non expliqué : personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
+    </message>
+    <message>
+        <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
+        <translation>Elles sont de deux DUT : leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
     </message>
 </context>
 <context>
