@@ -27,6 +27,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import turns_written
+from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
@@ -61,7 +62,7 @@ class Frame(QMainWindow):
 
     coils_off = Signal()
 
-    def __init__(self, lab: LabViewModel, pages: dict[str, QWidget]) -> None:
+    def __init__(self, lab: LabViewModel, pages: dict[str, QWidget], said: SaidForNow | None = None) -> None:
         super().__init__()
         self.setWindowTitle("labcal")
         self.resize(1360, 860)
@@ -71,7 +72,9 @@ class Frame(QMainWindow):
         self._parts = ByItself(ShownPart(self.top.show_state, self.top.blank), *self.side.parts(), line)
         self.next = NextButton(self.tr("What is next for this DUT, whichever page is open (Ctrl+N)"))
         changed = self.tr("Next has just changed, and did nothing. It is now: {0}. Press it again.")
-        self.next.too_soon.connect(lambda: lab.update(message=changed.format(self.next.following)))
+        self._said_for_now = said or SaidForNow(lab)
+        self.next.too_soon.connect(lambda: self._said_for_now.say(changed.format(self.next.following)))
+        self.next.clicked.connect(self._said_for_now.put_away)
         keeps = self.next.sizePolicy()
         keeps.setRetainSizeWhenHidden(True)  # the line below keeps its height: nothing above it moves
         self.next.setSizePolicy(keeps)
@@ -167,7 +170,9 @@ class Frame(QMainWindow):
             )
 
     def say_next(self, following: str) -> None:
-        """What is next, in words."""
+        """What is next, in words; what was said of another is past."""
+        if following != self.next.following:
+            self._said_for_now.put_away()
         self.next.say(self.tr("Next: {0}").format(following), following)
         self.next.show()
 
@@ -228,8 +233,9 @@ class Frame(QMainWindow):
         self.side.setFixedWidth(int(side * GRID * self._scale))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another width."""
+        """Another width: what was said of it is past."""
         super().resizeEvent(event)
+        self._said_for_now.put_away()
         self._give_room()
 
     def show_state(self, state: LabState) -> None:

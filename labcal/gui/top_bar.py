@@ -72,6 +72,14 @@ class TopBar(Surface):
         self.keep_off.setVisible(bool(words))
         self.simulated.setVisible(state.simulated)
 
+    def wanted(self, state: LabState) -> QLineEdit | None:
+        """The field that has to be filled in first; None where none has, or nobody types there now."""
+        open_still = (
+            (self.dut, not state.dut_serial or bool(state.dut_objection)),
+            (self.operator, not state.operator or bool(state.operator_objection)),
+        )
+        return next((one for one, wanted in open_still if wanted and state.bench and not one.isReadOnly()), None)
+
     def blank(self) -> None:
         """It cannot be shown: no old word on hands stays."""
         self.keep_off.setText(f"▲ {cannot_be_shown()}")

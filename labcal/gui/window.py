@@ -74,7 +74,7 @@ class Window(Frame):
         self.lazy_pages = {
             name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
         }
-        super().__init__(app_state.lab, dict(self.lazy_pages))
+        super().__init__(app_state.lab, dict(self.lazy_pages), app_state.said_for_now)
         self.style_queue = IdleQueue(self)
         self.prebuild_timer = QTimer(self, singleShot=True)
         self.prebuild_timer.timeout.connect(self.prebuild)
@@ -193,7 +193,7 @@ class Window(Frame):
         self._restyle()
         if not room:
             words = self.tr("The window has no room for larger letters: make it larger.")
-            self.app_state.lab.update(message=words)
+            self.app_state.said_for_now.say(words)
             say_at(self.size_switch, words)  # a run writes the line below anew, many times a second
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
@@ -287,7 +287,7 @@ class Window(Frame):
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or nothing_to_do)
 
     def _page_turned(self) -> None:
-        self.app_state.put_away_said()
+        self.app_state.said_at_the_end.put_away(self.page_shown())
         self.app_state.one_dut.settle()
         self.shown_bar.show_page(self.page_shown())
         self._show_next()
@@ -299,14 +299,12 @@ class Window(Frame):
             return self.app_state.off.order()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
             return does.click()
+        if to.in_the_bar and (field := self.top.wanted(self.app_state.lab.state)) is not None:
+            return field.setFocus(Qt.FocusReason.TabFocusReason)  # it is in sight: the page stays, with what is on it
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
-        state = self.app_state.lab.state
-        wanted: list[QWidget] = []
-        if to.page == "Start" and state.bench:
-            wanted += [self.top.dut] * (not state.dut_serial or bool(state.dut_objection))
-            wanted += [self.top.operator] * (not state.operator or bool(state.operator_objection))
-        for widget in [*wanted, *begins_at(self.lazy_pages[to.page])][:1]:
+        at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
+        for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
             self.lazy_pages[to.page].show_part(widget)
         return None

@@ -9,13 +9,14 @@ from __future__ import annotations
 import json
 import os
 import platform
+import re
 import signal
 import subprocess
 import sys
 import threading
 import time
 import zipfile
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -37,6 +38,7 @@ WANTED = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGINT", "SIGHUP")
 AT_ONCE_S, TRIES = 20.0, 3  # broken off so often within so long of its start it is not started again
 LOG_BYTES = 200_000  # of the end of what it said
 NO_SCREEN = "no Qt platform plugin could be initialized"
+NO_ANSWER = re.compile(r"could not connect to display *(\S*)")  # as Qt says it once all of its libraries are loaded
 PACKAGES = ("labcal", "PySide6-Essentials", "pyqtgraph", "numpy", "scipy")
 
 
@@ -84,11 +86,21 @@ def watch(given: Sequence[str], say: Callable[[str], None], command: Sequence[st
         )
     run_door.send_to_its_end(ended.worker)
     if NO_SCREEN in ended.log:
-        say(f"labcal gui: Qt reaches no screen; on Debian: apt-get install {' '.join(QT_PACKAGES)}")
+        say(f"labcal gui: {no_screen(ended.log, os.environ)}")
         return CANNOT
     if ended.log.strip():
         say(ended.log.strip())
     return ended.code if ended.code >= 0 else 128 - ended.code
+
+
+def no_screen(log: str, environment: Mapping[str, str]) -> str:
+    """Why Qt has no screen, by what it said: the display does not answer, none is named, or libraries are missing."""
+    if found := NO_ANSWER.search(log):
+        display = found[1] or environment.get("DISPLAY", "")
+        if display:
+            return f"the screen {display} (DISPLAY) does not answer: start it, or name another one"
+        return "there is no screen: DISPLAY names none, as over ssh without -X; start a desktop, or name one"
+    return f"Qt reaches no screen; on Debian: apt-get install {' '.join(QT_PACKAGES)}"
 
 
 def once(command: Sequence[str]) -> WindowEnd:

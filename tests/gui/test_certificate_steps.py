@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication
-from test_path import SIGNATURE, calibration
+from test_path import RUN, SIGNATURE, calibration
 
 from labcal.gui.ipc.messages import Approve, ListCalibrations, ListKeys, NewKey, Sign
 from labcal.gui.ipc.wire import Fault
@@ -254,3 +254,36 @@ def test_until_when_it_will_be_good_and_whence_that_comes_is_said_before_it_is_s
     page.refresh()
     told(page, replace(RELEASED, until="2027-11-21"), "a.smith")
     assert valid.text() == "Good until 2027-11-21."
+
+
+def test_an_empty_last_day_is_said_beside_its_field_before_anybody_approves(page):
+    told(page, DRAFT, "a.smith", "j.doe")
+    said, card = page.steps.valid_once_approved, page.steps.approval
+    assert card.isAncestorOf(said)
+    assert said.isVisible()
+    assert said.text().startswith("No last day of use is stated: it never expires by itself.")
+    page.steps.stated.until.setText("2099-11-21")
+    assert said.text().startswith("Good until 2099-11-21.")
+    told(page, APPROVED, "a.smith", "j.doe")
+    assert not said.isVisible()
+    assert page.steps.valid.text().endswith("So it was stated when it was approved.")
+
+
+@pytest.mark.parametrize(
+    ("method", "left_nT", "says"),
+    [
+        ("ml", 130.52, "▲ Not traced: 130.5 nT of |b| are left over beyond the map"),
+        ("ml", None, "▲ Not traced: nobody has looked for the cause"),
+        ("closed-loop", 9.0, ""),
+    ],
+)
+def test_a_run_that_was_never_traced_says_so_above_its_approval(page, method, left_nT, says):
+    page._app_state.path.take_runs((RUN,))
+    told(page, replace(DRAFT, method=method, left_nT=left_nT), "a.smith", "j.doe")
+    assert page.doubt.text().startswith(says)
+    assert page.doubt.isVisible() is bool(says)
+    assert page.to_do.text() == page.window().next.text() == "Next: Trace the residual"  # one source for both
+    assert page.steps.approval.mark.text() == "● to do now"  # and it may be approved as it is
+    page._app_state.path.take_runs((replace(RUN, verdict="explained"),))
+    assert not page.doubt.isVisible()
+    assert page.to_do.text() == "Next: approve (2)"

@@ -18,6 +18,7 @@ from labcal.gui.ipc.compare_commands import compare, newest_file
 from labcal.gui.ipc.messages import CompareRuns, ExportRun, ListRuns
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.trend import Trend, courses
 from labcal.model.apply import apply
@@ -89,6 +90,28 @@ def test_what_differs_is_a_change_of_the_dut_only_where_both_are_explained_and_o
     page.comparison.show_comparison(found, {"r1": verdict, "r2": "explained"})
     assert said in page.comparison.remark.text()
     assert ("✕ UNEXPLAINED" in page.comparison.whose.text()) == (verdict == "unexplained")
+
+
+def test_two_duts_have_no_table_without_a_figure_and_are_called_by_their_serials(page):
+    found = Comparison(side("r1", "r1.json"), replace(side("r2", "r2.json", -0.1), dut="EM-08"), None, "refused")
+    view = page.comparison
+    page.faces.setCurrentWidget(view)
+    view.view.setCurrentIndex(0)
+    view.show_comparison(found)
+    assert not view.table.isVisible()
+    assert view.remark.isVisible()
+    assert view.remark.text().endswith("Residuals and loci of both are drawn below.")
+    assert [line.partition(":")[0] for line in view.whose.text().splitlines()] == ["EM-07", "EM-08"]
+    assert "EM-08: mean −0.1 nT, rms 0.1 nT" in view.words.text()  # one minus sign, as in tables
+    assert "Later" not in view.words.text()
+    view.show_comparison(Comparison(side("r1", "r1.json"), side("r2", "r2.json"), FOUND))
+    assert view.table.isVisible()
+    assert view.table.y() > view.remark.y()
+
+
+def test_what_a_run_noted_of_its_offsets_has_the_minus_sign_of_tables():
+    noted = "offsets so far, from magnitudes alone: x 12 ± 3, y -2538 ± 12 nT (k = 2)"
+    assert "y −2538 ± 12" in in_words(noted)
 
 
 def test_a_traced_and_an_untraced_result_are_not_of_one_kind_and_nothing_is_said_to_have_changed(page):

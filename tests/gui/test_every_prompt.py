@@ -225,7 +225,7 @@ class Asked:
         card, prompt = self.card, self.prompt
         words = of_this_bench(asked_text(prompt))
         assert card.isVisible()
-        shown = f"{card.text.text()} {card.details.text()}".replace("\N{NO-BREAK SPACE}", " ").strip()
+        shown = f"{card.text.text()} {card.details.text()}".replace("\N{NO-BREAK SPACE}", " ").replace("−", "-").strip()
         shown = shown.removeprefix("Next: ") if prompt.key == "ready" else shown
         assert shown.startswith(words)  # of a step that failed its advice stands below, with the button to press
         assert form_of(prompt.text) or prompt.key == "failed-turn", f"not in other languages: {prompt.text}"

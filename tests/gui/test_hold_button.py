@@ -10,15 +10,16 @@ from lab_states import told
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 
 from labcal.gui.ipc.messages import Answer, RunProcedure
 from labcal.gui.viewmodels.may_answer import moves_by_itself
-from labcal.gui.widgets import prompt_card
+from labcal.gui.widgets import hold_button, prompt_card
 from labcal.gui.widgets.hold_button import LET_GO_MS
 from labcal.record.stream import Prompt
 
 LAB_DEAD_MS = prompt_card.DEAD_MS
+PRESS, RELEASE = QEvent.Type.KeyPress, QEvent.Type.KeyRelease
 
 ACTS = Prompt(1.0, "ready", "The coils go to 50 µT. Hands off?", ("done", "redo x"), True)
 
@@ -225,3 +226,48 @@ def test_one_long_hold_answers_one_question_and_fills_nothing_before_the_key_was
 
 def strike(still, kind, repeated=False):
     QApplication.sendEvent(still, QKeyEvent(kind, Qt.Key.Key_F8, Qt.KeyboardModifier.NoModifier, "", repeated))
+
+
+def test_a_key_that_is_held_searches_nothing_of_the_window(still, asked, monkeypatch):
+    """It comes thirty times a second, to the focus and to all that this stands in: readings wait behind it."""
+    searched = []
+    monkeypatch.setattr(type(still), "findChildren", lambda *asked: searched.append(asked) or [])
+    for kind, repeated in ((QEvent.Type.KeyPress, False), *[(one, True) for one in (RELEASE, PRESS) * 3]):
+        strike(still, kind, repeated)
+    strike(still, QEvent.Type.KeyRelease)
+    assert asked.choices["done"].isVisible()
+    assert searched == []
+
+
+@pytest.mark.parametrize("inside", [True, False])  # of a dialog that stands on a part of the window, or on itself
+def test_a_question_that_is_covered_is_not_answered_by_its_key(qtbot, still, asked, patience, inside):
+    qtbot.waitUntil(asked.choices["done"].isEnabled, timeout=patience)
+    dialog = QDialog(still.top if inside else still)
+    dialog.show()
+    strike(still, QEvent.Type.KeyPress)
+    assert not asked.choices["done"].held.isActive()
+    dialog.close()
+    hold_button.heard_ms.clear()
+    strike(still, QEvent.Type.KeyPress)
+    assert asked.choices["done"].held.isActive()
+
+
+def test_a_key_that_is_down_from_before_is_told_to_be_let_go(qtbot, still, switched, patience):
+    strike(still, PRESS, repeated=True)  # its press went to what was there before
+    assert switched.hint.text().startswith("▲ Let go of F8")
+    strike(still, RELEASE)
+    hold_button.heard_ms.clear()
+    qtbot.waitUntil(switched.choices["done"].isEnabled, timeout=patience)
+    strike(still, PRESS)
+    assert switched.choices["done"].held.isActive()
+
+
+def test_presses_that_came_too_soon_keep_no_question_from_its_answer(qtbot, still, switched, patience):
+    asked_s = time.monotonic()
+    while not switched.choices["done"].isEnabled() and time.monotonic() - asked_s < patience / 1000:
+        strike(still, PRESS)
+        qtbot.wait(LET_GO_MS + 20)
+        strike(still, RELEASE)
+        qtbot.wait(LET_GO_MS + 20)
+    assert switched.choices["done"].isEnabled()
+    assert time.monotonic() - asked_s < 3 * LAB_DEAD_MS / 1000

@@ -119,6 +119,10 @@ def test_the_last_estimate_of_a_tracing_stays_with_its_time_and_fills_the_bar():
     pace.hear("scoring all candidates beside offset-current")
     assert pace.words().startswith("about 60 s more, said at ")
     assert pace.share() == 60 / 80
+    now[0] = 79.9
+    assert pace.words()
+    now[0] = 80.0
+    assert pace.words() == ""  # what it promised is over
     now[0] = 600.0
     assert pace.share() == 0.95
 

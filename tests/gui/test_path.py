@@ -193,14 +193,17 @@ def test_a_method_that_was_fitted_marks_fit(still, path):
     study.open("r1")
     study.waiting = []
     study.fit("ml")
-    assert (marks(still)[1], still.next.text()) == ("●", "Next: Fitting: see how far")  # and not what comes after that
+    assert (marks(still)[1], still.next.text()) == (
+        "●",
+        "Next: See how far the fit is",
+    )  # not what comes then
     assert still.next.isEnabled()
     still.open_page("Fit")
     assert not still.next.isEnabled()
     still.app_state.fit_worker.answer(FitRun, Fitted(FitFigures(True)))
     assert (marks(still)[1], still.next.text()) == ("✓", "Next: Trace the residual")
     study.close_loop()
-    assert (marks(still)[2], still.next.text()) == ("●", "Next: Tracing: see how far")
+    assert (marks(still)[2], still.next.text()) == ("●", "Next: See how far the trace is")
 
 
 MEASURED = {
@@ -318,13 +321,6 @@ def test_fit_is_done_while_its_residual_is_traced(still, path):
     assert marks(still)[1:3] == "✓●"
 
 
-def test_next_leads_into_the_field_that_is_wanted(still, path, qtbot):
-    still.app_state.set_identity(operator="")
-    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
-    assert still.page_shown() == "Start"
-    assert still.top.operator.hasFocus()
-
-
 def test_next_leads_to_the_setting_that_is_refused_else_to_begin(still, path, qtbot):
     choose = still.page("Run").choose
     assert (still.next.text(), choose.start.isEnabled()) == ("Next: Begin preflight", True)
@@ -387,3 +383,17 @@ def test_a_run_that_measured_nothing_puts_no_failed_below_the_serial(still):
     asked.failed(Fault("input", "no such supply"))
     assert run_verdict(run).word == "✕ NOT MEASURED"
     assert live.verdict.rule.text() == "Nothing was measured, so this says nothing of the DUT."
+
+
+@pytest.mark.parametrize(
+    ("identity", "words", "field"),
+    [({"operator": ""}, "Say who works here", "operator"), ({"dut": ""}, "Say which DUT", "dut")],
+)
+def test_who_and_which_are_said_where_the_operator_is(still, path, identity, words, field, qtbot):
+    still.open_page("Run")
+    still.app_state.set_identity(**identity)
+    assert still.next.text() == f"Next: {words}"
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    assert still.page_shown() == "Run"  # with all that was typed there
+    assert getattr(still.top, field).hasFocus()
+    still.app_state.set_identity(dut="EM-07", operator="J. Doe")

@@ -213,7 +213,10 @@ def test_a_delay_that_no_turn_told_is_said_in_the_verdict_and_turns_no_axis_gree
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished", None))
     verdict = run_verdict(still.app_state.run)
     assert (verdict.word, verdict.state) == ("▲ PASS, without delay z", "warning")
-    assert verdict.rule.endswith("Not measured: delay z.")
+    _, told = verdict.rule.split("Not measured: delay z. ")
+    assert told.startswith("The delay is how late the DUT reads behind the platform's angle.")
+    assert "after Go on too few" in told
+    assert told.endswith("To get it: sync-check, or a new preflight.")
     assert live.lights.worst["z"].text() == "Z  ▲ not complete"
     assert [axis for axis, column in live.lights.columns.items() if column.isVisibleTo(live.lights)] == ["z"]
     emit((Measurement(3.0, "delay z", 0.1, 0.01, "s", 0.5),))

@@ -20,7 +20,7 @@ from labcal.gui.viewmodels.number_format import clock_time
 from labcal.gui.viewmodels.pace import Pace
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.what_happens import what_happens
-from labcal.gui.widgets import sounds
+from labcal.gui.widgets import sounds, time_left
 from labcal.record.stream import Block, Event, Prompt, Step
 
 FILE = Path(__file__).parents[2] / "examples" / "simulated.toml"
@@ -101,6 +101,28 @@ def test_the_run_page_says_both_and_neither_while_somebody_is_asked(still):
     worker.items.emit((Prompt(101.0, "m", "Mount it."),))
     live.draw()
     assert live.time_left.until.text() == ""
+
+
+@pytest.mark.parametrize(
+    ("needed_s", "done_s", "says"),
+    [
+        (61.0, 600.0, ["You are needed at 04:50: ", "Done at about 04:59"]),
+        (4.0, 600.0, ["You are needed within a minute: ", "Done at about 04:59"]),
+        (0.0, 600.0, ["Done at about 04:59"]),
+        (None, 4.0, []),
+    ],
+)
+def test_no_time_that_is_there_is_a_forecast(still, monkeypatch, needed_s, done_s, says):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", pace="true"))
+    run, live = still.app_state.run, still.page("Run").live
+    still.app_state.bench_worker.items.emit((PLAN.begin(BENCH, "x"),))
+    clock = type("Clock", (), {"now": staticmethod(lambda: datetime(2026, 11, 30, 4, 49, 55))})
+    monkeypatch.setattr(time_left, "datetime", clock)
+    monkeypatch.setattr(run, "needed_s", lambda: needed_s)
+    monkeypatch.setattr(run, "left_s", lambda: done_s)
+    live.draw()
+    lines = live.time_left.until.text().splitlines()
+    assert [line.startswith(begins) for line, begins in zip(lines, says, strict=True)] == [True] * len(says)
 
 
 @pytest.fixture

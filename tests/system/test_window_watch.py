@@ -116,6 +116,30 @@ def test_without_a_screen_it_says_what_to_install(window, home_of_its_own):
     assert not reports(home_of_its_own)
 
 
+@pytest.mark.parametrize(
+    ("log", "display", "says"),
+    [
+        (
+            "qt.qpa.xcb: could not connect to display :91\nqt.qpa.plugin: From 6.5.0, xcb-cursor0",
+            ":91",
+            "the screen :91",
+        ),
+        (
+            "qt.qpa.xcb: could not connect to display \nqt.qpa.plugin: From 6.5.0",
+            "",
+            "there is no screen: DISPLAY names",
+        ),
+        (
+            "qt.qpa.plugin: From 6.5.0, xcb-cursor0 or libxcb-cursor0 is needed",
+            ":0",
+            "Qt reaches no screen; on Debian:",
+        ),
+    ],
+)
+def test_without_a_screen_it_says_whether_that_is_the_display_or_a_library(log, display, says):
+    assert window_watch.no_screen(log, {"DISPLAY": display}).startswith(says)
+
+
 def test_a_state_that_is_damaged_is_none():
     script = "import os, sys; open(sys.argv[-1], 'w').write('{\"page'); os.abort()"
     assert once([sys.executable, "-c", script]).state == {}

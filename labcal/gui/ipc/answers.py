@@ -243,6 +243,11 @@ class Comparison:
     changes: Changes | None
     refused: str = ""
 
+    @property
+    def two_duts(self) -> bool:
+        """Whether nothing of them is a change of one DUT."""
+        return self.older.dut != self.newer.dut
+
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
@@ -380,3 +385,4 @@ class CalibrationFile:
     simulated: bool = False
     unexplained: str = ""  # by the loop that made it: a sentence
     not_measured: tuple[str, ...] = ()  # of K and k: held as they stand
+    left_nT: float | None = None  # of |b| in held-out rows, by the fit that made it

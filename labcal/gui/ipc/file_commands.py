@@ -136,6 +136,7 @@ def _calibration(path: Path) -> CalibrationFile:
         method=str((found.made_by or {}).get("method", "")),
         unexplained=found.unexplained(),
         not_measured=found.not_measured(),
+        left_nT=found.metrics.get("after", {}).get("holdout_rms_scalar_nT"),
     )
 
 

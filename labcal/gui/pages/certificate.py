@@ -22,6 +22,7 @@ from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import SigningStep, doubts, file_state, file_word, handed_out_as, state_of, steps
 from labcal.gui.viewmodels.stages import stages, to_be_done
 from labcal.gui.viewmodels.told_words import open_words
+from labcal.gui.viewmodels.untraced import comes_first, not_traced
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
@@ -73,8 +74,8 @@ class CertificatePage(QWidget):
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
         app_state.one_dut.changed.connect(self._other_dut)
-        app_state.quick_worker.progress.connect(self.said.setText)  # a run that is worked out again
-        app_state.path.changed.connect(self._say_empty)
+        app_state.quick_worker.progress.connect(self._say_progress)
+        app_state.path.changed.connect(self._say_path)
         self._show()
 
     def showEvent(self, event: object) -> None:
@@ -210,8 +211,6 @@ class CertificatePage(QWidget):
             self.standing.setText(" ".join(self._standing_words(one)))
             self.names.show_file(one)
             set_state(self.word, file_state(one))
-            self.doubt.setText(doubts(one))
-            self.doubt.setVisible(bool(self.doubt.text()))
             if one.run_id != self._told_of:
                 self._told_of = one.run_id
                 self._run_told(one.run_id, Told())
@@ -253,10 +252,27 @@ class CertificatePage(QWidget):
             self.paper.show_step(stands[-1])
             kept = self._app_state.path.handed_out
             self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))
-            self.to_do.setText(to_be_done(tuple(step.mark for step in stands)))
-            self.to_do.setVisible(bool(self.to_do.text()))
+            self._say_to_do(one, stands)
             self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
+
+    def _say_progress(self, step: str) -> None:
+        """Of a run that is worked out again."""
+        self.said.setText(in_words(step))
+
+    def _say_path(self) -> None:
+        """What Next says, here as in the bar below."""
+        self._say_empty()
+        if (one := self.chosen()) is not None:
+            self._say_to_do(one, self.stands(one))
+
+    def _say_to_do(self, one: CalibrationFile, stands: tuple[SigningStep, ...]) -> None:
+        """What is next, and why who approves has to think."""
+        path = self._app_state.path
+        self.to_do.setText(comes_first(path, one) or to_be_done(tuple(step.mark for step in stands)))
+        self.doubt.setText(" ".join(filter(None, (doubts(one), not_traced(path, one)))))
+        for part in (self.to_do, self.doubt):
+            part.setVisible(bool(part.text()))
 
     def _names_known(self) -> None:
         self.steps.names_known()

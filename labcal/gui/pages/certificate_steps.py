@@ -7,7 +7,7 @@ from functools import partial
 from typing import TypeVar
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.messages import Approve, Command, NewKey, Sign
@@ -89,6 +89,7 @@ class SigningSteps(StepRow):
         self.approve = button(self.tr("Approve"), self.tr("Write this name into the draft"))
         self.approve.clicked.connect(self._approve)
         card.put((self.approver, self.stated.superseded, self.stated.until), self.approve)
+        self.valid_once_approved = self._valid_in(card)
         return card
 
     def _sign_card(self) -> StepCard:
@@ -99,12 +100,17 @@ class SigningSteps(StepRow):
         self.passphrase = self._secret(self.tr("Passphrase"), self.tr("Of this person's key; asked each time"))
         self.sign = button(self.tr("Sign"), self.tr("Sign the file as it is"))
         self.sign.clicked.connect(self._sign)
-        self.valid = label("", wrap=True)
-        self.valid.setAccessibleName(self.tr("Until when it is good"))
         card.put((self.signer, self.passphrase), self.sign)
-        card.body.insertWidget(card.body.indexOf(card.words), self.valid)
-        card.while_open.append(self.valid)
+        self.valid = self._valid_in(card)
         return card
+
+    def _valid_in(self, card: StepCard) -> QLabel:
+        """Until when it is good, said in the step that states it, and again in the one that binds it."""
+        valid = label("", wrap=True)
+        valid.setAccessibleName(self.tr("Until when it is good"))
+        card.body.insertWidget(card.body.indexOf(card.words), valid)
+        card.while_open.append(valid)
+        return valid
 
     def _secret(self, name: str, tip: str) -> QLineEdit:
         entry = secret_entry(name, tip)
@@ -185,7 +191,9 @@ class SigningSteps(StepRow):
         )
         refused = refused if draft else ""
         self.approval.say_wrong(refused)
-        self.valid.setText("" if one is None else valid_words(one, self.stated.stated()[0]))
+        valid = "" if one is None else valid_words(one, self.stated.stated()[0])
+        self.valid.setText(valid)
+        self.valid_once_approved.setText(valid if one is not None and self._stated_by_approval(one) else "")
         self.approver.setEnabled(draft)  # nobody can be added after the first signature
         whole = one is not None and not one.not_measured
         self.approve.setEnabled(draft and whole and bool(approver) and not refused)
@@ -195,6 +203,10 @@ class SigningSteps(StepRow):
         self.sign.setEnabled(
             signs and not self.stated.objection() and bool(self.signer.currentText()) and bool(self.passphrase.text())
         )
+
+    def _stated_by_approval(self, one: CalibrationFile) -> bool:
+        """Whether the last day is still open, and stated here: an empty one is not taken without a word."""
+        return not (one.standing.signatures or one.approvers or one.not_measured)
 
     def _offer_name(self) -> None:
         """L. Holm's key is l.holm: it need not be invented."""

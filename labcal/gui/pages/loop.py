@@ -210,7 +210,7 @@ class LoopPage(QWidget):
         self.progress.show_progress()
         self.cancel.setVisible(study.busy)
         self.close_loop.setVisible(not study.busy)
-        again = study.loop is None and bool(self._kept())
+        again = study.loop is None and bool(self._app_state.path.traced(study.run))  # else it never was
         self.close_loop.setText(self.tr("Work it out again") if again else self.tr("Trace the residual"))
         refused = self._app_state.path.why_no_fit(study.run)
         self.close_loop.setEnabled(bool(study.run) and not study.busy and not refused)
@@ -231,7 +231,8 @@ class LoopPage(QWidget):
             words = self.tr("Looking at the residual; a whole preflight takes some minutes.")
         elif study.run:
             refused = self._app_state.path.why_no_fit(study.run)
-            words = refused or self._kept() or self.tr("Trace the residual of this run to its cause.")
+            trace, kept = self.tr("Trace the residual of this run to its cause."), self._kept()
+            words = refused or (kept if self._app_state.path.traced(study.run) else f"{trace}\n{kept}".strip())
         self.empty.setText(none or words)
         self.to_run.setVisible(bool(none))
         height = Qt.AlignmentFlag.AlignBottom if none else Qt.AlignmentFlag.AlignVCenter

@@ -352,7 +352,7 @@ class StartPage(QWidget):
             again.setEnabled(known and not self._app_state.lab.state.now.failed)  # it is said above who is silent
         begins = to.page in ("Run", "Start")
         self.to_do.setText(to.words)
-        self.go_on.setText(self.tr("Open {0}").format(translated(to.page)))
+        self.go_on.setText(to.words)
         self.go_on.setVisible(known and not begins and not to.off and not self._app_state.run.alive)
         set_primary(self.go_on, not any(mine))
         set_primary(self.calibrate, not any(mine) and not to.waits and to.page == "Run")

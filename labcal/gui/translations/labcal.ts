@@ -770,7 +770,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <source>mean {0} nT, rms {1} nT</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3808,6 +3808,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>working the calibration out again: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fitting by {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6114,7 +6122,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
+        <source>mean {0} nT, rms {1} nT</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6369,6 +6377,10 @@
 </context>
 <context>
     <name>HoldButton</name>
+    <message>
+        <source>▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
         <translation type="unfinished"></translation>
@@ -7065,14 +7077,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Tracing: see how far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fitting: see how far</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7090,6 +7094,14 @@ after this step …</source>
     </message>
     <message>
         <source>Go on with {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how far the trace is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>See how far the fit is</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7934,10 +7946,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8037,6 +8045,10 @@ after this step …</source>
     </message>
     <message>
         <source>You are needed at {0}: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You are needed within a minute: {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9314,6 +9326,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>How good the calibration is, Fit and Loop judge.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9939,6 +9955,18 @@ after this step …</source>
     </message>
     <message>
         <source>{0}: answers again, no answer from {1} to {2}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

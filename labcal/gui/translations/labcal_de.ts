@@ -770,8 +770,8 @@
         <translation>ohne Referenz kein Rest</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>Mittel {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>Mittel {0} nT, rms {1} nT</translation>
     </message>
     <message>
         <source>faint: behind the sphere</source>
@@ -3808,6 +3808,14 @@
         <translation>Die Messwerte folgen der Referenz nicht: Das Grundmodell lässt {0} von {1} nT übrig, und kein Umdrehen oder Vertauschen von Achsen und kein Versatz einer Uhr erklärt es.</translation>
     </message>
     <message>
+        <source>working the calibration out again: {0}</source>
+        <translation>die Kalibrierung wird noch einmal gerechnet: {0}</translation>
+    </message>
+    <message>
+        <source>fitting by {0}</source>
+        <translation>Anpassung nach {0}</translation>
+    </message>
+    <message>
         <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
         <translation>bisher {0}, noch nicht bewiesen: {1} auf {2} Mal das Rauschen in den durchsuchten Zeilen</translation>
     </message>
@@ -6114,8 +6122,8 @@
         <translation>kalibriert</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>Mittel {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>Mittel {0} nT, rms {1} nT</translation>
     </message>
 </context>
 <context>
@@ -6369,6 +6377,10 @@
 </context>
 <context>
     <name>HoldButton</name>
+    <message>
+        <source>▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.</source>
+        <translation>▲ {0} loslassen: die Taste war schon unten, bevor diese Frage kam. Dann 0,7 s halten.</translation>
+    </message>
     <message>
         <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
         <translation>▲ {0} wurde gedrückt, bevor diese Frage eine Antwort nahm. Neu drücken.</translation>
@@ -7066,14 +7078,6 @@ diesem Schritt …</translation>
         <translation>Sagen, wer arbeitet</translation>
     </message>
     <message>
-        <source>Tracing: see how far</source>
-        <translation>Wird zurückverfolgt: ansehen</translation>
-    </message>
-    <message>
-        <source>Fitting: see how far</source>
-        <translation>Wird gerechnet: ansehen</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Die anderen Verfahren versuchen</translation>
     </message>
@@ -7092,6 +7096,14 @@ diesem Schritt …</translation>
     <message>
         <source>Go on with {0}</source>
         <translation>Weiter mit {0}</translation>
+    </message>
+    <message>
+        <source>See how far the trace is</source>
+        <translation>Suche läuft: ansehen</translation>
+    </message>
+    <message>
+        <source>See how far the fit is</source>
+        <translation>Rechnung läuft: ansehen</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -7887,10 +7899,6 @@ diesem Schritt …</translation>
         <translation>Weiter mit {0}</translation>
     </message>
     <message>
-        <source>Open {0}</source>
-        <translation>{0} öffnen</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
     </message>
@@ -8039,6 +8047,10 @@ diesem Schritt …</translation>
     <message>
         <source>You are needed at {0}: {1}</source>
         <translation>Sie werden um {0} gebraucht: {1}</translation>
+    </message>
+    <message>
+        <source>You are needed within a minute: {0}</source>
+        <translation>Sie werden in einer Minute gebraucht: {0}</translation>
     </message>
 </context>
 <context>
@@ -9315,6 +9327,10 @@ diesem Schritt …</translation>
         <translation>Er kann nicht weiter: ein Ergebnis von {0} wird aus einer Aufnahme ohne Lücke berechnet.</translation>
     </message>
     <message>
+        <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
+        <translation>Der Verzug sagt, wie spät der Prüfling hinter dem Winkel der Plattform liest. Er kommt aus Drehungen hin und zurück um eine Achse ohne Unterbrechung; nach Weiter bleiben davon zu wenige. So bekommt man ihn: sync-check oder ein neuer Preflight.</translation>
+    </message>
+    <message>
         <source>How good the calibration is, Fit and Loop judge.</source>
         <translation>Wie gut die Kalibrierung ist, beurteilen Fit und Ursachen.</translation>
     </message>
@@ -9692,7 +9708,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
-        <translation>▲ Offen in der Messung selbst: {0}. Eine Freigabe nimmt das so hin.</translation>
+        <translation>▲ Offen in der Messung selbst: {0}. Eine Genehmigung nimmt das so hin.</translation>
     </message>
     <message>
         <source>{0} not measured</source>
@@ -9941,6 +9957,18 @@ diesem Schritt …</translation>
     <message>
         <source>{0}: answers again, no answer from {1} to {2}</source>
         <translation>{0}: antwortet wieder, keine Antwort von {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
+        <translation>▲ Rest nicht erklärt: {0} nT von |b| bleiben über die Abbildung hinaus übrig, und niemand hat nach ihrer Ursache gesucht.</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
+        <translation>▲ Rest nicht erklärt: Niemand hat nach der Ursache dessen gesucht, was über die Abbildung hinaus übrig bleibt.</translation>
+    </message>
+    <message>
+        <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
+        <translation>Sie sind von zwei Prüflingen: Offsets und Skalenfaktoren sind keine Änderung von einem und stehen in keiner Tabelle. Reste und Ortskurven von beiden sind unten gezeichnet.</translation>
     </message>
 </context>
 <context>

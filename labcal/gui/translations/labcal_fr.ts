@@ -770,8 +770,8 @@
         <translation>sans référence, pas de résidu</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>moyenne {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>moyenne {0} nT, rms {1} nT</translation>
     </message>
     <message>
         <source>faint: behind the sphere</source>
@@ -1829,7 +1829,7 @@
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
-        <translation>{0} : ne s&apos;ouvre pas : la phrase secrète est fausse ou le fichier endommagé</translation>
+        <translation>{0} : ne s&apos;ouvre pas : la phrase de passe est fausse ou le fichier endommagé</translation>
     </message>
     <message>
         <source>{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)</source>
@@ -3806,6 +3806,14 @@
     <message>
         <source>The readings do not follow the reference: the base model leaves {0} of {1} nT, and no flip or exchange of axes and no offset of a clock explains it.</source>
         <translation>Les lectures ne suivent pas la référence : le modèle de base laisse {0} de {1} nT, et ni retournement ni échange d&apos;axes ni décalage d&apos;horloge ne l&apos;explique.</translation>
+    </message>
+    <message>
+        <source>working the calibration out again: {0}</source>
+        <translation>l&apos;étalonnage est recalculé : {0}</translation>
+    </message>
+    <message>
+        <source>fitting by {0}</source>
+        <translation>ajustement par {0}</translation>
     </message>
     <message>
         <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
@@ -6114,8 +6122,8 @@
         <translation>étalonné</translation>
     </message>
     <message>
-        <source>mean {0:+.1f} nT, rms {1:.1f} nT</source>
-        <translation>moyenne {0:+.1f} nT, rms {1:.1f} nT</translation>
+        <source>mean {0} nT, rms {1} nT</source>
+        <translation>moyenne {0} nT, rms {1} nT</translation>
     </message>
 </context>
 <context>
@@ -6369,6 +6377,10 @@
 </context>
 <context>
     <name>HoldButton</name>
+    <message>
+        <source>▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.</source>
+        <translation>▲ Lâchez {0} : la touche était déjà enfoncée avant cette question. Puis tenez-la 0,7 s.</translation>
+    </message>
     <message>
         <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
         <translation>▲ {0} a été pressée avant que cette question prenne une réponse. Pressez de nouveau.</translation>
@@ -7066,14 +7078,6 @@ cette étape …</translation>
         <translation>Dire qui travaille</translation>
     </message>
     <message>
-        <source>Tracing: see how far</source>
-        <translation>Recherche en cours : voir</translation>
-    </message>
-    <message>
-        <source>Fitting: see how far</source>
-        <translation>Ajustement en cours : voir</translation>
-    </message>
-    <message>
         <source>Try the other methods</source>
         <translation>Essayer les autres méthodes</translation>
     </message>
@@ -7092,6 +7096,14 @@ cette étape …</translation>
     <message>
         <source>Go on with {0}</source>
         <translation>Continuer {0}</translation>
+    </message>
+    <message>
+        <source>See how far the trace is</source>
+        <translation>Voir la recherche en cours</translation>
+    </message>
+    <message>
+        <source>See how far the fit is</source>
+        <translation>Voir l&apos;ajustement en cours</translation>
     </message>
     <message>
         <source>Fit the run</source>
@@ -7887,10 +7899,6 @@ cette étape …</translation>
         <translation>Continuer {0}</translation>
     </message>
     <message>
-        <source>Open {0}</source>
-        <translation>Ouvrir {0}</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
     </message>
@@ -8039,6 +8047,10 @@ cette étape …</translation>
     <message>
         <source>You are needed at {0}: {1}</source>
         <translation>On a besoin de vous à {0} : {1}</translation>
+    </message>
+    <message>
+        <source>You are needed within a minute: {0}</source>
+        <translation>On a besoin de vous d&apos;ici une minute : {0}</translation>
     </message>
 </context>
 <context>
@@ -9315,6 +9327,10 @@ cette étape …</translation>
         <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
     </message>
     <message>
+        <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
+        <translation>Le retard est celui de la lecture du DUT sur l&apos;angle de la plateforme. Il vient de tours aller et retour autour d&apos;un axe sans interruption ; après Continuer, il en reste trop peu. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
+    </message>
+    <message>
         <source>How good the calibration is, Fit and Loop judge.</source>
         <translation>La qualité de l&apos;étalonnage, Ajuster et Causes la jugent.</translation>
     </message>
@@ -9941,6 +9957,18 @@ cette étape …</translation>
     <message>
         <source>{0}: answers again, no answer from {1} to {2}</source>
         <translation>{0} : répond de nouveau, pas de réponse de {1} à {2}</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
+        <translation>▲ Résidu non expliqué : {0} nT de |b| restent au-delà de la transformation, et personne n&apos;en a cherché la cause.</translation>
+    </message>
+    <message>
+        <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
+        <translation>▲ Résidu non expliqué : personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
+    </message>
+    <message>
+        <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
+        <translation>Elles sont de deux DUT : leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
     </message>
 </context>
 <context>

@@ -252,6 +252,8 @@ FINDINGS = (  # of the data and the rig
     ),
 )
 PROGRESS = (
+    QT_TRANSLATE_NOOP("Data", "working the calibration out again: {0}"),
+    QT_TRANSLATE_NOOP("Data", "fitting by {0}"),
     QT_TRANSLATE_NOOP("Data", "fitting the base model"),
     QT_TRANSLATE_NOOP("Data", "fitting the map with the effects that are named"),
     QT_TRANSLATE_NOOP("Data", "scoring every effect"),

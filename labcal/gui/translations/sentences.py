@@ -177,6 +177,7 @@ CHANGES = (  # from one calibration to the next
     QT_TRANSLATE_NOOP("Data", "Only the later corrects {0}."),
 )
 MEASURED = re.compile(r"(?<![\w.:])-?\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
+BELOW_ZERO = re.compile(r"(?<= )-(?=\d)")  # the sign of a number that has no unit of its own, as in a row of them
 FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
 OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *SHORTFALLS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
 OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *FITS
@@ -262,7 +263,7 @@ def _part(text: str) -> str:
 
 def _by_locale(sentence: str) -> str:
     """Numbers that have a unit as tables have them, with the language's decimal mark; what is none stays."""
-    return MEASURED.sub(lambda found: _as_in_tables(found[0]), sentence)
+    return BELOW_ZERO.sub("−", MEASURED.sub(lambda found: _as_in_tables(found[0]), sentence))
 
 
 def _as_in_tables(number: str) -> str:

@@ -42,8 +42,8 @@ from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.run_order import run_order
+from labcal.gui.viewmodels.said_for_now import SaidAtTheEnd, SaidForNow
 from labcal.gui.viewmodels.said_no_more import SaidNoMore
-from labcal.gui.viewmodels.said_of_dut import SaidOfDut
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
 from labcal.gui.viewmodels.what_happens import at_hands, hands_at
@@ -88,8 +88,9 @@ class AppState(QObject):
         self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
         self.bench = ""
         self.wanted: Wanted | None = None
-        self._said_of_dut, self._said_no_more = SaidOfDut(self.lab), SaidNoMore(self.lab, self.run)
-        self.put_away_said = self._said_of_dut.put_away
+        self.said_for_now, self._said_no_more = SaidForNow(self.lab), SaidNoMore(self.lab, self.run)
+        self.said_at_the_end = SaidAtTheEnd(self.lab, self.run, self.said_for_now)
+        self.put_away_said = self.said_for_now.put_away
         self.kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
         self.warning_shown = False  # the card that says so
@@ -241,9 +242,9 @@ class AppState(QObject):
             kept_out = self.tr("Scanned {0}; hands off: scan again once hands may go in.")
             self.lab.update(message=(kept_out if self.run.asks_serial else words).format(serial))
         elif said := self.serial_objection(serial):
-            self._said_of_dut.say(self.tr("✕ Scanned, and not taken: {0}").format(said))
+            self.said_for_now.say(self.tr("✕ Scanned, and not taken: {0}").format(said))
         elif serial == self.lab.state.dut_serial:
-            self._said_of_dut.say(self.tr("Scanned {0}: it is the DUT at the top.").format(serial))
+            self.said_for_now.say(self.tr("Scanned {0}: it is the DUT at the top.").format(serial))
         else:
             self.scan_vm.ask(serial)
 
@@ -377,7 +378,7 @@ class AppState(QObject):
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
-        self.lab.update(message=run.message, waiting=waits, **self._at_hands())
+        self.lab.update(message=self.said_at_the_end.line(), waiting=waits, **self._at_hands())
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""

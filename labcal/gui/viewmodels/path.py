@@ -34,6 +34,7 @@ class Next:
     `waits`: it works. `ready`: whoever sees the page has its Begin before them. `closes`: the run that is done with.
     `presses`: on that page Next does what its one button does. `off`: Next is COILS OFF, whatever page is open.
     `resumes`: the run that Next goes on with at once. `of`: the run whose calibration it is about.
+    `in_the_bar`: it is said at the top, over whatever page is open.
     """
 
     page: str
@@ -46,6 +47,7 @@ class Next:
     off: bool = False
     resumes: RunLine | None = None
     of: str = field(default="", compare=False)
+    in_the_bar: bool = False
 
     @property
     def about(self) -> str:
@@ -193,9 +195,9 @@ class PathViewModel(QObject):
         if failed := state.now.failed:
             return Next("Bench", self.tr("See to {0}").format(failed[0]), presses=True)
         if not state.dut_serial or state.dut_objection:
-            return Next("Start", self.tr("Say which DUT"))
+            return Next("Start", self.tr("Say which DUT"), in_the_bar=True)
         if not state.operator or state.operator_objection:
-            return Next("Start", self.tr("Say who works here"))
+            return Next("Start", self.tr("Say who works here"), in_the_bar=True)
         if (broken := self.unfinished()) is not None and broken == last:
             return Next("Run", self.tr("Go on with {0}").format(state.dut_serial), resumes=broken)
         if last is None or marks["Run"] != "done":
@@ -203,7 +205,7 @@ class PathViewModel(QObject):
         studied = self._study.of(last.run_id)
         if marks["Loop"] == "now" or (marks["Fit"] == "now" and (studied is None or studied.best() is None)):
             traces = marks["Loop"] == "now"
-            words = self.tr("Tracing: see how far") if traces else self.tr("Fitting: see how far")
+            words = self.tr("See how far the trace is") if traces else self.tr("See how far the fit is")
             return Next("Loop" if traces else "Fit", words, last.run_id, waits=True)
         if marks["Fit"] == "broken":
             others = Next("Fit", self.tr("Try the other methods"), presses=True)

@@ -71,6 +71,11 @@ TEXTS = (
         "Words", "It cannot be gone on with: a result of {0} is worked out from one recording without a gap."
     ),
 )
+DELAY = QT_TRANSLATE_NOOP(
+    "Words",
+    "The delay is how late the DUT reads behind the platform's angle. It comes of turns there and back about one "
+    "axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.",
+)
 NOT_MEASURED, WITHOUT, NOTHING, NOTHING_OF = 6, 7, 8, 9
 JUDGED = QT_TRANSLATE_NOOP("Words", "How good the calibration is, Fit and Loop judge.")
 RULES = dict(zip(("PASS", "FAIL", "MARGINAL", "CANNOT DECIDE"), map(str, TEXTS), strict=False))
@@ -125,6 +130,7 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
         rule = f"{rule} {translated(str(JUDGED))}"
     if missing:
         rule = f"{rule} {translated(str(TEXTS[NOT_MEASURED])).format(', '.join(map(step_title, missing)))}"
+        rule = f"{rule} {translated(str(DELAY))}" if any(one.startswith("delay ") for one in missing) else rule
     return RunVerdict(word, state, rule, _next(worst if fitted or worst != "PASS" else _without(run)))
 
 

@@ -34,8 +34,10 @@ class TracePace:
             self._said_at = f"{datetime.now():%H:%M:%S}"
 
     def words(self) -> str:
-        """The last estimate with its time; "" before there is one."""
-        return "" if self._left_s is None else translated(str(SAID)).format(f"{self._left_s:.0f}", self._said_at)
+        """The last estimate with its time; "" before there is one, and once what it promised is over."""
+        if self._left_s is None or self._now() - self._said_s >= self._left_s:
+            return ""
+        return translated(str(SAID)).format(f"{self._left_s:.0f}", self._said_at)
 
     def share(self) -> float:
         """What is over, 0 to 1: by the stage, and within the long ones by the estimate; never whole before the end."""

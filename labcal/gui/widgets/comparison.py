@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QT_TRANSLATE_NOOP, Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Compared, Comparison
@@ -15,6 +15,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import change_rows
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.loop_words import verdict_word
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
 from labcal.gui.widgets.common import Card, button, combo_box, label, offer
 from labcal.gui.widgets.measurement_table import Table
@@ -25,6 +26,11 @@ from labcal.gui.widgets.study_plots import Residuals
 HEADINGS = ("figure", "earlier", "later", "± U", "unit", "E_n", "")
 OF_THE_DIFFERENCE = "± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed."
 TWO_DUTS = "They are of two DUTs. ± U (k=2) is that of the difference."
+OF_TWO_DUTS = QT_TRANSLATE_NOOP(
+    "Words",
+    "They are of two DUTs: their offsets and gains are no change of one, and stand in no table. "
+    "Residuals and loci of both are drawn below.",
+)
 NOT_EXPLAINED = "One of the two is not explained: what differs may be its error, and says nothing of the DUT yet."
 UNLIKE = "One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none."
 
@@ -65,7 +71,9 @@ class ComparisonView(QWidget):
         self._shown, said = found, verdicts or {}
         duts = " / ".join(dict.fromkeys((found.older.dut, found.newer.dut)))
         self.card.heading.setText(self.tr("{0}: two runs compared").format(duts))
-        sides = ((self.tr("Earlier"), found.older), (self.tr("Later"), found.newer))
+        earlier, later = self._sides(found)
+        sides = ((earlier, found.older), (later, found.newer))
+        self.table.set_headings((HEADINGS[0], earlier, later, *HEADINGS[3:]) if found.two_duts else HEADINGS)
         self.whose.setText(
             "\n".join(
                 ": ".join(filter(None, (which, self._source(one), verdict_word(said.get(one.run_id, "")))))
@@ -77,6 +85,10 @@ class ComparisonView(QWidget):
         names = [name for name in found.older.against if name in found.newer.against]
         offer(self.against, names, against_words)
         self._draw()
+
+    def _sides(self, found: Comparison) -> tuple[str, str]:
+        """What either is called: of one DUT by which came first, of two by their serials."""
+        return (found.older.dut, found.newer.dut) if found.two_duts else (self.tr("Earlier"), self.tr("Later"))
 
     def _source(self, one: Compared) -> str:
         if one.calibration:
@@ -95,8 +107,9 @@ class ComparisonView(QWidget):
         row.addWidget(self.whose, 1)
         row.addWidget(self.back)
         self.card.body.addLayout(row)
-        self.card.body.addWidget(self.table, 1)
         self.card.body.addWidget(self.remark)
+        self.card.body.addWidget(self.table, 1)
+        self.card.body.addStretch()
         return self.card
 
     def _picture(self) -> Card:
@@ -139,21 +152,25 @@ class ComparisonView(QWidget):
         rows = [] if changes is None else change_rows(changes, alike=self._alike)
         self.table.clearContents()
         self.table.setRowCount(len(rows))
+        self.table.setVisible(bool(rows))  # headings without a figure say nothing
         for row, cells in enumerate(rows):
             for column, cell in enumerate(cells):
                 colour = getattr(self._theme, cell.state) if cell.state else ""
                 self.table.set_cell(row, column, cell.text, right=cell.right, colour=colour, tip=cell.tip)
         if changes is not None:
             means = OF_THE_DIFFERENCE if self._explained else NOT_EXPLAINED
-            means = means if found is None or found.older.dut == found.newer.dut else TWO_DUTS
+            means = TWO_DUTS if found is not None and found.two_duts else means
             said = (changes.in_words(), *changes.remarks) if self._alike else changes.remarks
             self.remark.setText(" ".join((*map(in_words, said), translated(means if self._alike else UNLIKE))))
         else:
-            self.remark.setText("" if found is None else found.refused)
+            refused = (
+                "" if found is None else translated(str(OF_TWO_DUTS)) if found.two_duts else in_words(found.refused)
+            )
+            self.remark.setText(refused)
 
     def _named(self, found: Comparison) -> list[tuple[str, str, Compared]]:
         """Name and colour of either run, the later one in front."""
-        earlier, later = self.tr("Earlier"), self.tr("Later")
+        earlier, later = self._sides(found)
         return [(earlier, self._theme.before, found.older), (later, self._theme.after, found.newer)]
 
     def _draw_residuals(self, found: Comparison) -> None:
@@ -172,7 +189,8 @@ class ComparisonView(QWidget):
         good = np.empty(0) if left is None else left[np.isfinite(left)]
         if not len(good):
             return self.tr("no reference, no residual")
-        return self.tr("mean {0:+.1f} nT, rms {1:.1f} nT").format(good.mean(), np.sqrt(np.mean(good**2)))
+        rms = format_number(float(np.sqrt(np.mean(good**2))), signed=False)
+        return self.tr("mean {0} nT, rms {1} nT").format(format_number(float(good.mean())), rms)
 
     def _draw_loci(self, found: Comparison) -> None:
         named = self._named(found)

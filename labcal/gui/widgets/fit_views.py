@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSizePolicy, QStackedWidget, QWidget
 from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.drawn_against import against_words
+from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.plots import DASHED, Loci, apply_theme, legend_above, named_curves, plot
@@ -238,6 +239,6 @@ class FitViews(Card):
             area = len(residual) * (edges[1] - edges[0])
             gauss = area * np.exp(-0.5 * (x / noise_nT) ** 2) / (noise_nT * np.sqrt(2 * np.pi))
             self.histogram.plot(x, gauss, pen=pg.mkPen(self._theme.text, width=2))
-        rms = float(np.sqrt(np.mean(residual**2)))
-        self.histogram.setTitle(self.tr("mean {0:+.1f} nT, rms {1:.1f} nT").format(float(residual.mean()), rms))
+        rms = format_number(float(np.sqrt(np.mean(residual**2))), signed=False)
+        self.histogram.setTitle(self.tr("mean {0} nT, rms {1} nT").format(format_number(float(residual.mean())), rms))
         self.histogram.autoRange()

@@ -11,16 +11,19 @@ from __future__ import annotations
 
 import time
 from dataclasses import dataclass
+from weakref import WeakSet
 
 from PySide6.QtCore import QEvent, QRect, Qt, QTimer, Signal
 from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QDialog, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QPushButton, QWidget
+from shiboken6 import isValid
 
 HOLD_MS = 700
 LET_GO_MS = 150  # a key that comes down again sooner was not let go
 FILL_MS, FILL_PX = 30, 6
 KEYS = (Qt.Key.Key_F8, Qt.Key.Key_F7, Qt.Key.Key_F6)  # a button's own is one of these
 heard_ms: dict[int, tuple[float, float]] = {}  # by key: its last event, by this computer's clock and by the screen's
+buttons: WeakSet[HoldButton] = WeakSet()  # all there are: to look for them among all widgets costs more than a key may
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,14 +46,32 @@ class HeardAt:
 
 
 def handle_key(watched: QWidget, event: QKeyEvent) -> bool:
-    """Hand a key to the button of the same window whose own it is, wherever the focus is."""
+    """Hand a key to the button of the same window whose own it is, wherever the focus is.
+
+    A key that is held comes thirty times a second, to one widget after another: nothing is searched for it.
+    """
     if event.key() not in KEYS or event.type() not in (QEvent.Type.KeyPress, QEvent.Type.KeyRelease):
         return False
     anew = _pressed_anew(event)
     window = watched.window()
-    if any(over.isVisible() for over in window.findChildren(QDialog)):  # a question that is covered is not answered
+    asked = [one for one in buttons if isValid(one) and one.window() is window and one.isVisible()]
+    if not asked or _covered(window):  # a question that is covered is not answered
         return False
-    return any(button.handle_key(event, anew=anew) for button in window.findChildren(HoldButton))
+    return any(button.handle_key(event, anew=anew) for button in asked)
+
+
+def _covered(window: QWidget) -> bool:
+    """Whether a dialog of this window is open."""
+    return any(
+        isinstance(one, QDialog) and one.isVisible() and _is_of(one, window) for one in QApplication.topLevelWidgets()
+    )
+
+
+def _is_of(dialog: QWidget, window: QWidget) -> bool:
+    parent = dialog.parentWidget()
+    while parent is not None and parent is not window:
+        parent = parent.parentWidget()
+    return parent is window
 
 
 def _pressed_anew(event: QKeyEvent) -> bool:
@@ -73,6 +94,7 @@ class HoldButton(QPushButton):
 
     def __init__(self, text: str, key: Qt.Key, *, held_by_mouse: bool = False) -> None:
         super().__init__(text)
+        buttons.add(self)
         self.key, self.held_by_mouse = key, held_by_mouse
         self.setObjectName("primary")
         self.setAutoDefault(False)
@@ -81,6 +103,7 @@ class HoldButton(QPushButton):
         self._began: HeardAt | None = None  # of the press that is held
         self._ended: HeardAt | None = None  # of the release that may be a blink
         self._dead = False  # its key was pressed while it took none
+        self._told = False  # that its key is still down
         self.let_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
         self.let_go.timeout.connect(self._give_up)
         self._fill = QTimer(self, interval=FILL_MS)
@@ -91,6 +114,8 @@ class HoldButton(QPushButton):
         if event.key() != self.key or not self.isVisible():
             return False
         pressed = event.type() == QEvent.Type.KeyPress
+        if pressed:
+            self._say_held(anew=anew)
         if not event.isAutoRepeat() and self._dead_says(pressed=pressed, anew=anew):
             return True
         if not self.isEnabled():
@@ -107,6 +132,15 @@ class HoldButton(QPushButton):
         elif anew:
             self._hold(event)
         return True
+
+    def _say_held(self, *, anew: bool) -> None:
+        """Of a key that is down from before, once: why it fills nothing."""
+        if anew or self._began is not None or self._dead:
+            self._told = anew
+        elif not self._told:
+            self._told = True
+            words = self.tr("▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.")
+            self.tapped.emit(words.format(self._key_name()))
 
     def _dead_says(self, *, pressed: bool, anew: bool) -> bool:
         """Of a press that came too soon: that it did, when the key is let go."""

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QPalette, QResizeEvent
-from PySide6.QtWidgets import QBoxLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
@@ -37,7 +37,7 @@ class StepCard(Card):
         self.fields.setSpacing(GRID)
         self.fields.setAlignment(Qt.AlignmentFlag.AlignTop)
         self.stacked = self.opened = self.now = False
-        self.step, self.while_open = "", list[QWidget]()
+        self.step, self.while_open = "", list[QLabel]()
         self.unfold = named(button(self.tr("Show"), self.tr("What is done in this step")), "small")
         self.unfold.clicked.connect(self._unfold)
         self.unfold.hide()
@@ -89,7 +89,7 @@ class StepCard(Card):
         self.words.setVisible(bool(self.words.text()) and not self._over)
         self.done.setVisible(bool(self.done.text()) and not self._over)
         for part in self.while_open:
-            part.setVisible(not self._over)
+            part.setVisible(bool(part.text()) and not self._over)
         self.setToolTip(self.words.text() if self._over else "")
 
     def name_it(self, title: str) -> None:

@@ -65,10 +65,12 @@ class TimeLeft(QWidget):
         done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
         if not done_s or run.time.failed or alarm_of(lab.coil_words) or lab.failed:
             return ""
+        this_minute = clock_time(now, 0.0)
         done = self.tr("Done at about {0}").format(clock_time(now, done_s))
-        if needed_s is None or run.step is None:
+        done = "" if clock_time(now, done_s) == this_minute else done  # a time that is there is no forecast
+        if not needed_s or run.step is None:
             return done
-        needed = self.tr("You are needed at {0}: {1}").format(
-            clock_time(now, needed_s), needed_title(run.step.needed_for).replace("-", UNBROKEN)
-        )
-        return f"{needed}\n{done}"
+        at, what = clock_time(now, needed_s), needed_title(run.step.needed_for).replace("-", UNBROKEN)
+        soon, later = self.tr("You are needed within a minute: {0}"), self.tr("You are needed at {0}: {1}")
+        needed = soon.format(what) if at == this_minute else later.format(at, what)
+        return "\n".join(filter(None, (needed, done)))
