@@ -173,7 +173,7 @@ def rest():
 def at_rest(window):
     """Nothing asked, said or begun, on a known bench; forms and cards as they were at first."""
     from labcal.gui.ipc.bench_commands import read_bench
-    from labcal.gui.ipc.messages import ReadBench
+    from labcal.gui.ipc.messages import ListRuns, ReadBench
 
     app_state = window.app_state
     window.scanner.flush()
@@ -181,6 +181,8 @@ def at_rest(window):
     window.activateWindow()
     app_state.watch.stop()
     app_state.watch.timer.stop()  # a test calls it, and no clock does
+    window.page("Start").refresh()
+    app_state.quick_worker.answer(ListRuns, ())  # no run that broke off is kept from the test before
     workers = (app_state.quick_worker, app_state.bench_worker, app_state.fit_worker, app_state.off_worker)
     for worker in (*workers, app_state.second_fit_worker, app_state.watch_worker):
         worker.asked, worker.said, worker.killed = [], [], 0

@@ -65,5 +65,3 @@ def test_start_has_in_blue_what_next_goes_on_with_and_no_other(still, last):
     assert (goes_on.objectName() == "primary") == (resumes is not None)
     choose = still.page("Run").choose
     assert (choose.go_on.objectName() == "primary") == (resumes is not None)
-    still.open_page("Start")
-    app_state.quick_worker.answer(ListRuns, ())  # the list of Start is kept from one test to the next
