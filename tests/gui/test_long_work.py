@@ -150,6 +150,7 @@ def test_what_was_traced_in_this_session_is_known_before_the_store_has_it(still,
     worker.answer(FitRun, fitted(20.0, 10.0))
     studied.close_loop()
     worker.answer(CloseLoop, told_by_the_loop(None))
+    assert still.page("Loop").close_loop.text() == "Work it out again"  # its verdict is in sight
     page.idle_queue.finish()
     assert page.trace.text() == "See what was found"
     assert "The residual was traced: ? AMBIGUOUS." in page.verdict.text()

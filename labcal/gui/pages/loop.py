@@ -210,7 +210,7 @@ class LoopPage(QWidget):
         self.progress.show_progress()
         self.cancel.setVisible(study.busy)
         self.close_loop.setVisible(not study.busy)
-        again = study.loop is None and bool(self._app_state.path.traced(study.run))  # else it never was
+        again = bool(self._app_state.path.traced(study.run))
         self.close_loop.setText(self.tr("Work it out again") if again else self.tr("Trace the residual"))
         refused = self._app_state.path.why_no_fit(study.run)
         self.close_loop.setEnabled(bool(study.run) and not study.busy and not refused)

@@ -11,7 +11,7 @@ from labcal.loop.noise.coloured import NullModel
 from labcal.loop.selection.misfit import evidence_over_misfit, misfits
 from labcal.loop.selection.related import beginnings, other_forms, related, related_columns
 
-LIKELIEST = 3  # related forms of what is accepted, beside each of which another cause has its evidence
+LIKELIEST = 3  # related forms of what is accepted that may be as likely as another cause
 
 
 def min_material_drop(pool: CandidateSet, accepted: Sequence[Candidate]) -> float:
