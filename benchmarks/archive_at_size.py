@@ -29,7 +29,7 @@ from labcal.files.atomic import write_bytes  # noqa: E402
 from labcal.session import archiving  # noqa: E402
 
 AT_ONCE = 250  # runs between two pushes: does the pace fall as store, log and archive grow?
-IN_TURN, TURNS = 50, 3  # runs that one process makes ready
+IN_TURN, TURNS = 250, 2  # what a push does once, some 0.1 s, is no pace
 YEARS = Years(500, 10)
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterable
-from contextlib import closing, suppress
+from contextlib import suppress
 from dataclasses import asdict, replace
 from hashlib import sha256
 from pathlib import Path
@@ -22,11 +22,9 @@ import numpy as np
 
 from labcal.archive.rows import utc
 from labcal.archive.run_to_push import RunToPush
-from labcal.errors import InputError, InstrumentError
+from labcal.errors import InputError
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
-from labcal.store import Store
-from labcal.store.listing import FILE as STORE
 from labcal.version import __version__, sources
 
 HALVES_S = 3600.0  # so long nobody writes at one: who did was killed
@@ -59,17 +57,14 @@ def is_kept(head: str | None) -> bool:
     return head is not None and _path(head).is_file()
 
 
-def kept(run_id: str) -> RunToPush | None:
-    """A run of this user's store as `run_to_push.of_store` makes it, from its file; None where no sound one is there.
+def kept(run_id: str, head: str | None) -> RunToPush | None:
+    """A run whose chain has this head, from its file, as `run_to_push.of_store` made it; None without a sound one.
 
-    None too where the run's record does not fit its chain: who makes it ready says so.
+    The chain was held against the run's record when the file was made, and its head tells that record from any other:
+    a record that was damaged since is in the archive as it was.
     """
-    with suppress(InputError, InstrumentError), closing(Store.read_only(home() / STORE)) as store:
-        chain = store.chain_of(run_id)
-        found = None if chain is None else _read(_path(chain.head))
-        if found and chain and (found.run_id, found.kept_head) == (run_id, chain.head):
-            return found
-    return None
+    found = None if head is None else _read(_path(head))
+    return found if found and (found.run_id, found.kept_head) == (run_id, head) else None
 
 
 def forget(head: str | None) -> None:

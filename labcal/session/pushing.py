@@ -157,7 +157,7 @@ class Pusher:
         Bundles are put in place by threads, for each waits for the disk, and their rows go there many at once.
         """
         there, without = [run_id for run_id, head in heads.items() if ready.is_kept(head)], set(heads)
-        with closing(ahead(self._in_place, there, threads=PUTTING)) as found:
+        with closing(ahead(partial(self._in_place, heads), there, threads=PUTTING)) as found:
             while some := list(islice(found, AT_ONCE)):
                 placed: list[Placed] = []
                 for run_id, run in some:
@@ -167,9 +167,9 @@ class Pusher:
                 self._one("", partial(self._rows, placed))
         return [run_id for run_id in heads if run_id in without]
 
-    def _in_place(self, run_id: str) -> Placed | RunToPush | None:
+    def _in_place(self, heads: Mapping[str, str | None], run_id: str) -> Placed | RunToPush | None:
         """A run that was made ready, its bundle put where bundles lie unless it is known to be there."""
-        one = ready.kept(run_id)
+        one = ready.kept(run_id, heads[run_id])
         return put_in_place(self.place, one) if one and one.sha256 not in self.there.runs else one
 
     def _when_in_place(self, run: Future[Placed | RunToPush | None], placed: list[Placed], _: str) -> None:

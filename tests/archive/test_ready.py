@@ -16,12 +16,14 @@ from postgres import Server
 
 from labcal import session
 from labcal.archive import make_ready, ready
-from labcal.archive.run_to_push import of_store
+from labcal.archive.run_to_push import RunToPush, of_store
+from labcal.errors import InputError
 from labcal.files.home import home
 from labcal.runner import Outcome
 from labcal.session import archiving
 from labcal.session.made_ready import begin_to_make_ready
 from labcal.store import Store
+from labcal.store.listing import FILE as STORE
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "simulated.toml"
 SAMPLES, WITHIN_S = 300, 60.0
@@ -33,6 +35,12 @@ def kept(*run_ids: str) -> list[Path]:
     for run_id in run_ids:
         ready.keep(of_store(run_id))
     return files()
+
+
+def made_before(run_id: str) -> RunToPush | None:
+    """What a push takes of a run that was made ready."""
+    with closing(Store.read_only(home() / STORE)) as store:
+        return ready.kept(run_id, store.head_of(run_id))
 
 
 def files() -> list[Path]:
@@ -92,11 +100,11 @@ def test_a_file_that_is_not_as_it_was_written_is_made_anew(
 ) -> None:
     stored_runs([0], SAMPLES)
     true = of_store("size-0")
-    assert ready.kept("size-0") is None
+    assert made_before("size-0") is None
     [path] = kept("size-0")
-    assert ready.kept("size-0") == true
+    assert made_before("size-0") == true
     spoil(path)
-    assert ready.kept("size-0") is None
+    assert made_before("size-0") is None
     assert (archiving.push(url).runs, files()) == (1, [])
     found = in_archive(postgres, database, tmp_path / "bundles")
     assert ([row[9] for row in found.runs], list(found.bundles.values())) == (["ada"], [true.zipped])
@@ -107,7 +115,7 @@ def test_a_record_that_has_gone_on_since_is_made_anew(postgres: Server, database
     before = kept("size-0")
     with Store.open() as store:
         store.correct_serial("size-0", "S-right", "ada")
-    assert ready.kept("size-0") is None
+    assert made_before("size-0") is None
     assert kept("size-0") != before
     assert (archiving.push(url).runs, files()) == (1, [])
     assert [row[6] for row in rows_of(postgres, database)["run"]] == ["S-right"]
@@ -127,7 +135,7 @@ def test_what_another_program_made_is_made_anew(
     stored_runs([0], SAMPLES)
     kept("size-0")
     monkeypatch.setattr(which, other)
-    assert ready.kept("size-0") is None
+    assert made_before("size-0") is None
     assert (archiving.push(url).runs, files()) == (1, [])
 
 
@@ -136,18 +144,25 @@ def test_what_is_of_another_run_is_not_taken(url: str) -> None:
     [first] = kept("size-0")
     [second] = {*kept("size-1")} - {first}
     second.write_bytes(first.read_bytes())
-    assert ready.kept("size-1") is None
+    assert made_before("size-1") is None
     assert archiving.push(url).runs == 2
     assert archiving.check_archive(url, None) == []
 
 
-def test_a_record_that_was_edited_is_refused_though_its_file_is_sound(url: str) -> None:
+def test_a_record_that_was_edited_before_is_refused_and_one_edited_since_is_pushed_as_it_was(
+    postgres: Server, database: str, url: str, tmp_path: Path
+) -> None:
     stored_runs(range(2), SAMPLES)
-    kept("size-0", "size-1")
+    true = of_store("size-0")
+    kept("size-0")
     edited_behind_the_guards()
-    found = archiving.push(url)
-    assert found.runs == 0
-    assert ["does not fit its hash chain" in said for said in found.refused] == [True, True]
+    with pytest.raises(InputError, match="does not fit its hash chain"):
+        of_store("size-0")
+    pushed = archiving.push(url)
+    assert pushed.runs == 1
+    assert ["run size-1 does not fit its hash chain" in said for said in pushed.refused] == [True]
+    there = in_archive(postgres, database, tmp_path / "bundles")
+    assert (list(there.bundles.values()), files()) == ([true.zipped], [])
 
 
 def test_a_half_is_never_taken_and_goes_when_nobody_can_be_writing_it(
@@ -169,7 +184,7 @@ def test_without_a_place_for_them_all_goes_on_as_before(url: str) -> None:
     stored_runs(range(2), SAMPLES)
     ready.folder().write_text("")
     make_ready.main("size-0")
-    assert ready.kept("size-0") is None
+    assert made_before("size-0") is None
     assert archiving.push(url).runs == 2
     assert ready.folder().read_text() == ""
 
@@ -197,7 +212,7 @@ def test_who_has_pushed_before_has_a_run_made_ready_once_it_has_ended(url: str) 
     while not any(path.suffix == ready.ENDING for path in files()):
         assert time.monotonic() < until
         time.sleep(0.02)
-    assert ready.kept(ended.run_id) == of_store(ended.run_id)
+    assert made_before(ended.run_id) == of_store(ended.run_id)
 
 
 @pytest.mark.parametrize(
