@@ -24,13 +24,13 @@ LOOKED_AT_CLOSELY = 12  # orders, the most powerful: one in a hundred at these s
 BETWEEN = 8  # places between two of them
 
 
-def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) -> tuple[float, int] | None:
+def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice]) -> tuple[float, int] | None:
     """The frequency [Hz] of the highest line that keeps its phase over all segments, and how many were tried.
 
-    For scores (n, axes) at times t_s (n,) in these segments. None where no line shows above `lowest_Hz`, or where its
-    image below the Nyquist frequency is as likely.
+    For scores (n, axes) at times t_s (n,) in these segments. None where no image of a line shows, or where that image
+    below the Nyquist frequency is as likely as the line.
     """
-    image = _image(t_s, scores, parts, lowest_Hz)
+    image = _image(t_s, scores, parts)
     if image is None or len(parts) < 2:
         return None
     rate = 1 / float(np.median(np.diff(t_s)))
@@ -61,14 +61,18 @@ def _leads(scores: Array, power: float, of_image: float, tried: int) -> bool:
     return lead > policy.POLICY.equivalent_nats + float(np.log(tried))
 
 
-def _image(t_s: Array, scores: Array, parts: Sequence[slice], lowest_Hz: float) -> float | None:
-    """Where the powers of all segments together stand highest above their neighbourhood [Hz]."""
+def _image(t_s: Array, scores: Array, parts: Sequence[slice]) -> float | None:
+    """Where the powers of all segments together stand highest above their neighbourhood [Hz].
+
+    A whole period in a segment is enough: a drift may look so, but keeps its phase at no frequency that folds there.
+    """
     spectra = [periodogram(t_s[part], scores[part]) for part in parts if part.stop - part.start > PER_RESOLUTION]
     if not spectra:
         return None
     grid = max((frequency for frequency, _ in spectra), key=len)
     power = np.sum([np.interp(grid, frequency, one) for frequency, one in spectra], axis=0)
-    resolved = (grid > lowest_Hz) & (grid < grid[-1] - 0.5 / _length_s(t_s, parts))  # from its own mirror image
+    length_s = _length_s(t_s, parts)
+    resolved = (grid > 1 / length_s) & (grid < grid[-1] - 0.5 / length_s)  # from an offset, from its own mirror image
     contrast = np.where(resolved, power / running_median(power), 0.0)
     peak = int(np.argmax(contrast))
     return float(grid[peak]) if contrast[peak] > CONTRAST else None

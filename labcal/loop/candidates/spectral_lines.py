@@ -44,8 +44,7 @@ def _frequencies(problem: LinearProblem, scores: Array) -> list[tuple[float, int
     peaks = _peaks(np.where(admissible(problem, frequency), power / running_median(power), 0.0))
     found = [(_top(problem.scene.t_s, scores, frequency, peak), len(frequency)) for peak in peaks]
     parts, t_s = stretches(problem.scene.segment), problem.scene.t_s
-    lowest = policy.POLICY.min_cycles / max(float(np.median([np.ptp(t_s[part]) for part in parts])), 1e-9)
-    above = unfolded_line(t_s, scores, parts, lowest) if problem.bins is None else None
+    above = unfolded_line(t_s, scores, parts) if problem.bins is None else None
     return found if above is None else [*found, above]
 
 
