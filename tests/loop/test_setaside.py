@@ -126,6 +126,14 @@ def test_the_milder_rows_in_the_middle_of_a_burst_are_set_aside_with_it(begins: 
     assert np.flatnonzero(hampel_outliers(residual, segment)).tolist() == list(range(begins, begins + 9))
 
 
+def test_a_wild_row_between_others_is_set_aside_and_a_mild_one_is_not() -> None:
+    """A burst whose second row is hidden by its neighbours, its third by chance as mild as the rows beside it."""
+    residual = np.random.default_rng(9).normal(size=(600, 1))
+    residual[39:45, 0] = [70.0, 190.0, 1.5, 60.0, -330.0, 150.0]
+    aside = hampel_outliers(residual, np.zeros(600, dtype=np.intp))
+    assert np.flatnonzero(aside).tolist() == [39, 40, 42, 43, 44]
+
+
 @pytest.mark.parametrize("rows", [3, 10, 12])
 def test_a_burst_may_be_as_long_as_leaves_most_of_a_row_s_neighbours_good(rows: int) -> None:
     """Twelve rows: eleven of the twenty-four neighbours of each are wild."""

@@ -25,11 +25,32 @@ def hampel_outliers(residual: Array, segment: NDArray[np.intp], effects: Array |
 
     Where the accepted `effects` (n, q) themselves jump, as a switched current does, a row between the levels is none.
     Stretches of a few rows count where their readings are as far from each other: a level that holds is a process.
+    Wild neighbours hide a row between them: what is near one is judged again without them.
     """
     jump = 0.0 if effects is None else _local_span(effects)
     away, limit = _from_neighbours(residual, segment, WINDOW)
     far = np.asarray((np.abs(away) > limit + jump).any(axis=1))
-    return np.asarray((far & ~_in_long_runs(far, LONGEST_OUTLIER)) | _bursts(residual, segment, jump))
+    out = np.asarray((far & ~_in_long_runs(far, LONGEST_OUTLIER)) | _bursts(residual, segment, jump))
+    return out | _between(residual, segment, jump, out)
+
+
+def _between(residual: Array, segment: NDArray[np.intp], jump: Array | float, wild: Mask) -> Mask:
+    """Rows (n,) that are far from those of their neighbours that are not `wild`, where at least half are not; few."""
+    if not wild.any():
+        return wild
+    away, limit = _from_neighbours(np.where(wild[:, None], np.nan, residual), segment, WINDOW, residual)
+    hidden = ~wild & (np.abs(away) > limit + jump).any(axis=1) & (_near(wild, segment) <= WINDOW)
+    hidden &= ~_in_long_runs(hidden | wild, LONGEST_BURST)
+    return hidden if np.mean(hidden | wild) <= policy.POLICY.max_outlier_share else np.zeros_like(hidden)
+
+
+def _near(wild: Mask, segment: NDArray[np.intp]) -> NDArray[np.intp]:
+    """How many of a row's nearest neighbours are wild (n,)."""
+    out = np.zeros(len(wild), dtype=np.intp)
+    for part in stretches(segment):
+        if (rows := part.stop - part.start) > 2 * WINDOW:
+            out[part] = wild[part][_nearest(rows, 2 * WINDOW)].sum(axis=0)
+    return out
 
 
 def _bursts(residual: Array, segment: NDArray[np.intp], jump: Array | float) -> Mask:
