@@ -100,10 +100,10 @@ def _holds_levels(values: Array, moves: Mask, edges: NDArray[np.intp]) -> bool:
 def _straight_on(step: Array) -> bool:
     """Whether most of the steps of a way have a neighbour of the same size, but for a tenth; its ends lie between rows.
 
-    A way of less than three steps may be one row that is a mean over the switching.
+    A way of two or three steps goes one way.
     """
     if len(step) <= SHORTEST:
-        return len(step) == SHORTEST
+        return len(step) > 1 and bool(np.all(step * step[0] > 0))
     inner = step[1:-1]
     same = np.abs(np.diff(inner)) <= ALIKE * np.abs(inner[1:])
     return bool(np.mean(np.append(same, False) | np.append(False, same)) >= MOSTLY)

@@ -33,6 +33,13 @@ def test_rows_on_a_straight_way_between_two_levels_are_unknown() -> None:
     assert seen.tolist() == [20, 21, 22, 23, 24, 40, 41, 42, 43, 44]
 
 
+def test_one_row_between_two_levels_is_a_way_and_a_pulse_of_one_row_is_none() -> None:
+    assert np.flatnonzero(drawn_between_levels(drawn(2), ONE)).tolist() == [20, 21, 22, 40, 41, 42]
+    pulse = drawn(1)
+    pulse[10] = 0.4
+    assert not drawn_between_levels(pulse, ONE).any()
+
+
 def test_a_switch_and_what_moves_smoothly_are_known() -> None:
     assert not drawn_between_levels(drawn(1), ONE).any()
     assert not drawn_between_levels(np.sin(np.arange(60.0) / 7), ONE).any()

@@ -51,6 +51,20 @@ def test_a_load_switched_between_two_samples_is_explained_where_it_is_known(late
     assert [found[f"c_{axis}"] for axis in "xyz"] == pytest.approx(EACH_nT.tolist(), abs=15.0)
 
 
+def test_a_row_between_two_levels_of_quick_telemetry_is_as_unknown() -> None:
+    """No row is on its way to the next level for longer than one; the load was at either."""
+    t_s = _clock(120)
+    load, telemetry = _switched(t_s), _drawn(t_s, every_s=0.45)
+    between = np.abs(telemetry - np.round(telemetry)) > 0.02
+    between[1:-1] &= ~between[2:] & ~between[:-2]  # two of them are a load that was switched on and off again
+    problem, level, _ = prepare(_run(load, telemetry))
+    pool = relinearised(candidates_of(problem.run, problem))
+    found = select(pool, level)
+    assert [c.family.id for c in found.accepted] == ["offset-current"]
+    assert between.sum() > 5
+    assert switched_unseen(pool, found)[between].all()
+
+
 @pytest.mark.parametrize(
     "at_s", [pytest.param(1.5, marks=pytest.mark.slow), 3.0, pytest.param(4.5, marks=pytest.mark.slow)]
 )
