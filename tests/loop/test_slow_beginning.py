@@ -11,11 +11,14 @@ import pytest
 
 from labcal import session
 from labcal.loop import close_loop
+from labcal.loop.close import candidates_of, prepare, relinearised
+from labcal.loop.selection.select import select
 from labcal.model.effects import Scene, gain_temperature, offset_current, offset_temperature
 from labcal.model.effects.past import Past
 from labcal.model.effects.regressors import low_passed
 from labcal.model.effects.term import Term
-from labcal.record import Run
+from labcal.record import Channel, Run
+from labcal.testing.made_up_runs import made_up_run
 
 TAU_S, OFF_C = 18.0, 4.0
 DIRECTIONS = np.array([60.0, -40.0, 30.0])  # nT/degC
@@ -93,6 +96,22 @@ def test_what_was_left_of_a_beginning_fades_and_is_the_fits_own(
     assert not begun[~second].any()
     fades = np.exp(-(run.t_s[second] - run.t_s[second][0]) / term.at("tau_s"))
     assert begun[second, 0] == pytest.approx(begun[second, 0][0] * fades)
+
+
+def test_a_current_that_acts_late_may_begin_anywhere_in_each_segment() -> None:
+    """What it was switched to between two segments nobody recorded."""
+    rows, draw = 120, np.random.default_rng(4)
+    t_s = made_up_run(rows=rows).run.t_s
+    amps = 0.4 * (np.mod(t_s, 37.0) < 19.0)
+    parts = [slice(first, first + rows) for first in range(0, len(t_s), rows)]
+    acts = np.concatenate([behind(t_s[part], amps[part], draw.uniform(0.0, 0.4)) for part in parts])
+    made = made_up_run(rows=rows, channels=[Channel("load", "A", "current", amps)])
+    problem, level, _ = prepare(made.with_effect(acts[:, None] * [3000.0, -2000.0, 1500.0]))
+    pool = relinearised(candidates_of(problem.run, problem))
+    (found,) = select(pool, level).accepted
+    assert (found.cause, found.term.of_beginnings) == (("offset-current", ("load",)), 3 * len(parts))
+    assert found.term.at("tau_s") == pytest.approx(TAU_S, rel=0.05)
+    assert np.mean(pool.residual([found]) ** 2) == pytest.approx(1.0, abs=0.1)
 
 
 def test_a_state_that_is_carried_over_a_gap_may_be_off_by_as_much_as_the_runs_own_were() -> None:
