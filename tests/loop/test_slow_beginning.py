@@ -133,3 +133,23 @@ def test_no_sum_of_responses_holds_one_that_is_slower_than_the_run_is_long(makin
         terms = offset_current.candidates(run.select(run.t_s - run.t_s[0] <= span_s))
         names = [{name[1 : name.index("s_")] for name, _ in t.parameters if "s_" in name} for t in terms]
         assert [found for found in names if found] == sums
+
+
+@pytest.mark.parametrize("moved", [0.0, -5.0])
+def test_a_branch_is_known_no_longer_where_the_temperature_moved_unseen(moved: float) -> None:
+    """Heated through in the first segment; before the second it may have turned back, if it moved at all."""
+    T = np.r_[20 + np.linspace(0.0, 6.0, 60), 26 + moved + np.linspace(0.0, 6.0, 60)]
+    run = made_up_run(rows=20, channels=[Channel("T", "degC", "temperature", T)]).run
+    term = next(t for t in offset_temperature.candidates(run) if any(shape.name == "r_C" for shape in t.shape))
+    term = term.with_values(r_C=1.0)
+    segment, field = np.repeat(np.arange(2, dtype=np.intp), 60), np.full((120, 3), 2e4)
+    high, low = (
+        term.columns(
+            Scene(np.arange(120.0), segment, field, {"T": T}, run.mode, np.eye(3), None, past=Past(120, astray=astray))
+        )[:, 0, 3]
+        for astray in (1.0, -1.0)
+    )
+    assert high[0] - low[0] > 1.0
+    assert high[30:60] == pytest.approx(np.ones(30))
+    assert high[60] - low[60] == pytest.approx(1.0 if moved else 0.0)
+    assert high[90:] == pytest.approx(low[90:])

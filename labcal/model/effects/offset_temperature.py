@@ -73,16 +73,25 @@ def kernel(term: Term, scene: Scene) -> Array:
 
 
 def _branch(term: Term, scene: Scene) -> Array:
-    """The stop of T of half-width r_C, over r_C (n,): it starts between the branches, and goes on from the past."""
+    """The stop of T of half-width r_C, over r_C (n,): it starts between the branches, and goes on from the past.
+
+    Where nothing went before it may be on either. So it may after a gap in which T has moved: by as much, for it may
+    have turned back unseen.
+    """
     T, past, half = term.drive(scene), scene.past or Past(len(scene)), term.at(TURNS.name)
     if not len(T):
         return T
     name = f"branch of {half}"
-    before, stood = past.before.get(name, (T[0], past.astray * half * ANYWHERE))
+    within, before, stood = past.before.get(name, (scene.segment[0], T[0], past.astray * half * ANYWHERE))
     steps = np.diff(T, prepend=before)
+    after_a_gap = np.flatnonzero(np.diff(scene.segment, prepend=within))
+    unseen = past.astray * np.minimum(np.abs(steps[after_a_gap]), half)
     steps[0] += stood
-    stop = clipped_recursion(steps[:, None], half, np.zeros(1, dtype=np.intp))[:, 0]
-    past.after[name] = T[past.own - 1], stop[past.own - 1]
+    with_gaps = np.insert(steps, after_a_gap + 1, unseen)
+    stop = clipped_recursion(with_gaps[:, None], half, np.zeros(1, dtype=np.intp))[:, 0]
+    stop = np.delete(stop, after_a_gap + np.arange(len(after_a_gap)))
+    last = past.own - 1
+    past.after[name] = scene.segment[last], T[last], stop[last]
     return stop / half
 
 
