@@ -42,8 +42,9 @@ def draft_calibration(
     """The calibration that `found` makes of `run`, its effects those of the sensor, valid where the run has been.
 
     `chain` is the head of the run's hash chain and its rows, None where its origin is not shown. `metrics` adds to what
-    the fit says of itself; `after` carries `noise_nT`, the noise of one axis of one reading, which `apply` takes for
-    its uncertainty. Raises InputError where the fit gives none.
+    the fit says of itself, by default those that it brings along; `after` carries `noise_nT`, the noise of one axis of
+    one reading, and what is left of held-out rows, which `apply` takes for its uncertainty. Raises InputError where the
+    fit gives none.
     """
     if not found.ok or found.affine is None:
         raise InputError(f"method {found.method} gives no calibration of run {run.run_id}: {found.why_not}")
@@ -64,7 +65,7 @@ def draft_calibration(
             *findings,
             *([saturated] if saturated else []),
         ),
-        metrics={when: {**own[when], **(metrics or {}).get(when, {})} for when in own},
+        metrics={when: {**own[when], **(metrics or found.metrics or {}).get(when, {})} for when in own},
         instruments=_instruments(run),
         cage_sha256=cage_sha256,
         software=f"labcal {__version__}",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,3 +43,6 @@ class Fit:
     left_open: str | None = None  # where magnitudes alone determine it: what the vectors do not, a sentence
     noise_nT: float | None = None  # standard deviation of one axis of one reading, estimated
     remarks: tuple[str, ...] = ()  # what its uncertainty does not tell, for whoever signs it, a sentence each
+    metrics: Mapping[str, Mapping[str, float]] | None = (
+        None  # before and after, of the closed loop: a draft states them
+    )

@@ -160,6 +160,7 @@ class ClosedLoop:
             effects=tuple(e for i, e in enumerate(self.accepted) if i not in self.unsupported),
             noise_nT=self.noise_nT,
             remarks=self._remarks(),
+            metrics=self.metrics(),
         )
 
     def _remarks(self) -> tuple[str, ...]:

@@ -152,10 +152,9 @@ def work_out(bundle: Bundle, how: MadeBy, progress: Progress) -> Calibration:
     run = bundle.run()
     if how["command"] == CLOSE_LOOP:
         closed = loop.close_loop(run, progress, empirical=how["empirical"])
-        again = made_by(CLOSE_LOOP, closed.fit().method, empirical=how["empirical"])
-        return draft_calibration(
-            run, closed.fit(), bundle.sha256, metrics=closed.metrics(), made_by=again, chain=bundle.stated_chain
-        )
+        found = closed.fit()
+        again = made_by(CLOSE_LOOP, found.method, empirical=how["empirical"])
+        return draft_calibration(run, found, bundle.sha256, made_by=again, chain=bundle.stated_chain)
     again, found = made_by(FIT, how["method"], how["channels"]), _fitted(run, how, progress)
     return draft_calibration(run, found, bundle.sha256, made_by=again, chain=bundle.stated_chain)
 

@@ -241,7 +241,7 @@ def _check_values(trial: EffectTrial, record: EffectRecord) -> None:
 def check_round_trip(trial: EffectTrial, closed: ClosedLoop) -> None:
     """From a calibration file it is the same effect, and `apply` takes it off."""
     run = trial.run()
-    made = draft_calibration(run, closed.fit(), SHA256, metrics=closed.metrics())
+    made = draft_calibration(run, closed.fit(), SHA256)
     back = parse_calibration(calibration_bytes(made), "the calibration file")
     if trial.family.belongs_to != "sensor":
         text = (

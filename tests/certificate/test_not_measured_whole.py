@@ -41,7 +41,8 @@ def test_a_loop_on_a_turn_about_one_axis_says_what_it_held_and_that_it_explains_
     run = run.select(run.segment_index == int(np.argmax(np.bincount(run.segment_index))))
     closed = close_loop(run)
     assert (closed.base, closed.verdict) == ("gain-offset", "unexplained")
-    made = draft_calibration(run, closed.fit(), "ab" * 32, metrics=closed.metrics())
+    made = draft_calibration(run, closed.fit(), "ab" * 32)
+    assert made.metrics["after"]["holdout_rms_nT"] == closed.after.holdout_rms_nT  # what u_nT holds beside the noise
     assert made.not_measured() == OFF_DIAGONAL
     assert made.not_covered[0].startswith("Not measured by this run")
     assert "nT are left of held-out rows" in made.unexplained()

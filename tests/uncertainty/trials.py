@@ -80,7 +80,7 @@ def trial_of_the_loop(seed: int, kind: str, *, effect: str, twin: bool) -> Trial
     """The same as `labcal close-loop` writes it: the loop is told nothing, and whatever its verdict is counts."""
     found, run = recorded(seed, kind, effect=effect, twin=twin)
     closed = close_loop(run)
-    calibration = draft_calibration(run, closed.fit(), "0" * 64, metrics=closed.metrics())
+    calibration = draft_calibration(run, closed.fit(), "0" * 64)
     named = effect in {name for e in closed.accepted for name in (e.effect, *(r.effect for r in e.rivals))}
     return replace(_judged(calibration, found, run, seed), verdict=closed.verdict, named=named or effect == "none")
 
