@@ -113,9 +113,7 @@ def shape_trial(name, seed):
     term = next((e for e in closed.accepted if e.basis is not None), None)
     if term is None:
         return told
-    applied = draft_calibration(run, closed.fit(), "0" * 64).apply(
-        recorded(scenes[1], readings[1])
-    )
+    applied = draft_calibration(run, closed.fit(), "0" * 64).apply(recorded(scenes[1], readings[1]))
     without = draft_calibration(run, close_without(run).fit(), "0" * 64).apply(recorded(scenes[1], readings[1]))
     inside = np.array(["domain" not in flag for flag in applied.flags])
     left, before = (np.sum((one.field_nT - scenes[1][2]) ** 2, axis=1) for one in (applied, without))
