@@ -86,8 +86,8 @@ def test_a_page_that_is_built_into_a_question_says_how_coils_and_platform_are(ne
         (AT_ZERO, "platform turns, at 12°", "▲ Hands off: platform turns", "bad"),
         (AT_ZERO, "platform NOT confirmed at a standstill", "▲ Hands off: platform NOT confirmed at a stand", "bad"),
         ("coils on: x +1.1000 A", "platform stands at 0°", "▲ Hands off: coils on", "bad"),
-        ("coils not read back in this session", "", "▲ Hands off: not read yet", "warning"),
-        ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands off: the coils are not being", "warning"),
+        ("coils not read back in this session", "", "▲ Hands off: not read yet", "off"),
+        ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands off: the coils are not being", "off"),
         ("coils NOT confirmed at zero", "", "▲ Hands off: coils NOT confirmed at zero", "bad"),
     ],
 )

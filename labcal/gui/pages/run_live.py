@@ -14,11 +14,12 @@ from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.failed_step import SHOWN, in_short
+from labcal.gui.viewmodels.hands_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
-from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
+from labcal.gui.viewmodels.what_happens import hands_at, headline_state, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
@@ -326,7 +327,7 @@ class Live(QWidget):
         self.waits_for.setText(translated(str(SHOWN)).format(", ".join(now.failed)) if now.failed else "")
         self.waits_for.setVisible(bool(now.failed) and self._goes_on)
         words, mark = hands_at(self._run, now)
-        self.prompt.say_lab(now, words if mark == "warning" else "")
+        self.prompt.say_lab(now, words if mark == OFF else "")
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
         self.prompt.say_moved(self._run.moved.words(by_the_wall=not self._run.virtual_time))
@@ -377,7 +378,7 @@ class Live(QWidget):
     def _say_now(self) -> None:
         now = self._app_state.lab.state.now
         words = what_happens(self._run, now, alarmed=self._app_state.warning_shown)
-        self.headline.say(words, alarms=is_alarm(words))
+        self.headline.say(words, headline_state(words))
 
     def draw(self) -> None:
         """Draw what has come since the last frame."""

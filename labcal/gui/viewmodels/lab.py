@@ -35,6 +35,7 @@ class LabState:
     message: str = ""  # what happened last
     said_at: str = ""  # and when, 07:12:04
     waiting: str = ""
+    waiting_state: str = ""  # of hands, where that speaks of them
 
 
 class LabViewModel(QObject):
