@@ -169,6 +169,7 @@ class AppState(QObject):
         self.left.forget()
         self.kept, self.one_dut.proposed = KnownLab(), False
         self.named_serials.forget()
+        self._said_no_more.back.forget()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
