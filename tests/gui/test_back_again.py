@@ -36,7 +36,10 @@ def beside(window, name):
     bench = window.page("Bench")
     bench.show_readings()
     at = next(at for at in range(bench.table.rowCount()) if bench.table.text(at, 1) == name)
-    return "" if row.age.isHidden() else row.age.text(), f"{bench.table.text(at, 5)} {bench.table.item(at, 5).toolTip()}"
+    return (
+        "" if row.age.isHidden() else row.age.text(),
+        f"{bench.table.text(at, 5)} {bench.table.item(at, 5).toolTip()}",
+    )
 
 
 @pytest.fixture

@@ -335,7 +335,7 @@ class BenchPage(QWidget):
             standing, colour = self._standing(name)
             text = f"{words}   {age}" if old and not standing.endswith(age) else words  # an age stands once in a row
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
-            tip = f"{standing}\n{remedy_of(self._app_state, name)}".strip() if colour == "bad" or len(standing) > LETTERS else ""
+            tip = f"{standing}\n{remedy_of(self._app_state, name)}".strip()
             self.table.set_cell(row, 5, one_sentence(standing), colour=getattr(self._theme, colour), tip=tip)
         self._show_cage()
 

@@ -210,6 +210,11 @@ class RunViewModel(QObject):
         speed = self.time.pace.learnt(speed) if self.virtual_time and speed else speed
         return lab_s / speed if lab_s is not None and speed and self.state == "running" else None
 
+    def promised_s(self, what: str, lab_s: float | None) -> float | None:
+        """As `wall_s`, of `what` is to come: once it was said it stands, but for what a person takes."""
+        wall_s = self.wall_s(lab_s)
+        return self.time.promised_s(what, wall_s) if wall_s else wall_s
+
     def _of_it_left(self, seconds: float) -> float | None:
         return self.time.left_s(seconds) if self.alive and self.state != "starting" else None
 

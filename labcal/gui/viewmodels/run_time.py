@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import time
+from collections import defaultdict
 
 from labcal.gui.viewmodels.pace import Pace
+from labcal.gui.viewmodels.promised import Promised
 from labcal.record.stream import Step
 
 
@@ -14,6 +16,7 @@ class RunTime:
     def __init__(self) -> None:
         self.seen_s = 0.0
         self.pace = Pace()
+        self._promised = defaultdict[str, Promised](Promised)  # by what is to come
         self._step: Step | None = None
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
@@ -45,6 +48,8 @@ class RunTime:
     def waits(self, since_s: float) -> None:
         """For a person, from now on."""
         self.pace.waits()
+        for one in self._promised.values():
+            one.waits(time.monotonic())
         if self._waits_since_s is None:
             self._waits_since_s = since_s
 
@@ -53,6 +58,12 @@ class RunTime:
         if self._waits_since_s is not None:
             self._waited_s += t_s - self._waits_since_s
             self._waits_since_s = None
+            for one in self._promised.values():
+                one.goes_on(time.monotonic())
+
+    def promised_s(self, what: str, in_s: float) -> float:
+        """In how long it comes by the clock on the wall, which is `in_s` by what is known now, as it was promised."""
+        return self._promised[what].in_s(time.monotonic(), in_s)
 
     def left_s(self, at_its_begin_s: float) -> float:
         """What is left now of so much at the begin of the step."""

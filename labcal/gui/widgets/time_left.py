@@ -62,7 +62,8 @@ class TimeLeft(QWidget):
 
     def _until(self, lab: LabNow) -> str:
         run, now = self._run, datetime.now()
-        done_s, needed_s = run.wall_s(run.left_s()), run.wall_s(run.needed_s())
+        needed_for = run.step.needed_for if run.step else ""
+        done_s, needed_s = run.promised_s("", run.left_s()), run.promised_s(needed_for, run.needed_s())
         if not done_s or run.time.failed or alarm_of(lab.coil_words) or lab.failed:
             return ""
         this_minute = clock_time(now, 0.0)
@@ -70,7 +71,7 @@ class TimeLeft(QWidget):
         done = "" if clock_time(now, done_s) == this_minute else done  # a time that is there is no forecast
         if not needed_s or run.step is None:
             return done
-        at, what = clock_time(now, needed_s), needed_title(run.step.needed_for).replace("-", UNBROKEN)
+        at, what = clock_time(now, needed_s), needed_title(needed_for).replace("-", UNBROKEN)
         soon, later = self.tr("You are needed within a minute: {0}"), self.tr("You are needed at {0}: {1}")
         needed = soon.format(what) if at == this_minute else later.format(at, what)
         return "\n".join(filter(None, (needed, done)))
