@@ -82,6 +82,11 @@ def _off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     return (WRONG if is_wrong(run, now) else "") + translated(str(KEEP)), "bad"
 
 
+def keep_off_words() -> tuple[str, ...]:
+    """All that the heading may say."""
+    return WRONG + translated(str(KEEP)), translated(str(KEEP)), translated(str(OUT))
+
+
 def at_rest(now: LabNow) -> bool:
     """Whether coils at zero and a platform that stands were read just now: then nobody has to keep off."""
     return now.coils_at_zero is True and platform_mark(now.platform_words)[1] in ("", "good")

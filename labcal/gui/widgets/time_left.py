@@ -11,9 +11,10 @@ from labcal.gui.viewmodels.lab_now import LabNow, alarm_of
 from labcal.gui.viewmodels.number_format import clock_time, format_duration, needed_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
-from labcal.gui.widgets.common import label
+from labcal.gui.widgets.roomy import Roomy
 
 THOUSANDTHS = 1000
+LONGEST_TIME, LONGEST_LEFT = "00:00", "00:00:00"
 UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
@@ -26,7 +27,7 @@ class TimeLeft(QWidget):
         self.progress = QProgressBar()
         self.progress.setRange(0, THOUSANDTHS)
         self.progress.setTextVisible(False)
-        self.left, self.until = label("", "caption", wrap=True), label("", wrap=True)
+        self.left, self.until = Roomy("caption", wrap=True), Roomy(wrap=True)
         self.until.setAccessibleName(self.tr("When it is done, and when you are needed"))
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -42,9 +43,22 @@ class TimeLeft(QWidget):
     def show_now(self, now: LabNow) -> None:
         """The bar, and the words, beside what is said of the lab."""
         self.show_share()
+        self._give_room()
         self.until.setText(words := self._until(now))
         self.until.setVisible(bool(words))
         self.left.setText(self._left())
+
+    def _give_room(self) -> None:
+        """As long as a run goes on: what stands below moves with no word that comes or goes."""
+        if not self._run.alive:
+            self.left.room_for()
+            return self.until.room_for()
+        done = self.tr("Done at about {0}").format(LONGEST_TIME)
+        titles = {needed_title(name).replace("-", UNBROKEN) for name in self._run.names}
+        needed = (self.tr("You are needed at {0}: {1}").format(LONGEST_TIME, title) for title in titles)
+        soon = (self.tr("You are needed within a minute: {0}").format(title) for title in titles)
+        self.until.room_for(*sorted(f"{one}\n{done}" for one in (*needed, *soon)))
+        return self.left.room_for(self._at_step(len(self._run.names), len(self._run.names), LONGEST_LEFT))
 
     def _left(self) -> str:
         run, left_s = self._run, self._run.left_s()
@@ -56,7 +70,10 @@ class TimeLeft(QWidget):
             return ""  # it has ended: the verdict says how
         marks, total, left = [mark for _, mark in run.steps()], run.step.total, format_duration(left_s)
         at = min(marks.index("now") if "now" in marks else run.steps_done(), total - 1) + 1  # that which is marked
-        if not faster_than_life(run.order, run.virtual_time):
+        return self._at_step(at, total, left)
+
+    def _at_step(self, at: int, total: int, left: str) -> str:
+        if not faster_than_life(self._run.order, self._run.virtual_time):
             return self.tr("step {0} of {1} · {2} left").format(at, total, left)
         return self.tr("step {0} of {1} · {2} of simulated time left").format(at, total, left)
 
