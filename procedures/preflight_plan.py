@@ -10,7 +10,7 @@ import numpy as np
 from labcal.bench.bench import Bench
 from labcal.bench.mounting import AXES, inclined_field
 from labcal.bench.rotation import Rotation, fastest_rate
-from labcal.bench.steps import Plan, Resume
+from labcal.bench.steps import Plan, Resume, rate_between
 from procedures.running_estimate import RunningEstimate
 
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
@@ -42,13 +42,16 @@ class PreflightPlan:
     finished: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
     times: int = 0  # that it was gone on with: what is turned then has a mounting, thus a phase, of its own
     way_s: float = 0.0  # to the field of a turn from that of the one before, on average
+    back_s: float = 0.0  # to where an axis began, after turns of which each goes on where the one before ended
     unclosed: frozenset[str] = frozenset()  # axes of which every turn is kept, and only the closure is to be made up
 
     def at_rate_of(self, bench: Bench) -> PreflightPlan:
         """The same at the fastest rate that is allowed, unless one was asked for; and how long its currents take."""
         fields = [inclined_field(bench, field_nT, self.inclination_deg) for field_nT in (*self.fields_nT, 0.0)]
         ways_s = [bench.cage.way_s(to - before) for before, to in zip(np.roll(fields, 1, axis=0), fields, strict=True)]
-        same = replace(self, way_s=float(np.mean(ways_s)))
+        there = len(self.fields_nT) * len(self.modes) % 2 and bench.by_hand is None
+        back_s = 360.0 / rate_between(bench) if there else 0.0
+        same = replace(self, way_s=float(np.mean(ways_s)), back_s=back_s)
         if self.rate_asked:
             return same
         strongest = max(abs(b) for b in self.fields_nT)
@@ -103,12 +106,13 @@ class PreflightPlan:
         turn = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s)
         one, opening_s, kept_s = turn.seconds() + self.way_s + MORE_S, self.zero_s + self.dwell_s + FIRST_S, 0.0
         steps = [("zero", opening_s), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
+        both_s = self.dwell_s + FIRST_S, self.dwell_s + FIRST_S + self.back_s  # before its turns, after them
         for axis in self.axes:
             left = {name: one for name, _, _ in self.left(axis, self.finished)}
             turns = [(name, left.get(name, 0.0)) for name, _, _ in self.turns(axis)]
-            first_s = self.dwell_s + FIRST_S if self.to_mount(axis) else 0.0
-            steps += [(f"mount-{axis}", first_s), *turns, (f"closure-{axis}", first_s)]
-            kept_s += one * (len(turns) - len(left)) + 2 * (self.dwell_s + FIRST_S - first_s)
+            mount_s, closure_s = both_s if self.to_mount(axis) else (0.0, 0.0)
+            steps += [(f"mount-{axis}", mount_s), *turns, (f"closure-{axis}", closure_s)]
+            kept_s += one * (len(turns) - len(left)) + sum(both_s) - mount_s - closure_s
         return Plan((*steps, ("closing", opening_s)), self.asks(), kept_s)
 
     def asks(self) -> frozenset[str]:

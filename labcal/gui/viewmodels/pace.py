@@ -30,6 +30,11 @@ class Pace:
         """A person is waited for: that says nothing of the pace."""
         self._last = None
 
+    def of(self, order: RunProcedure | None, *, virtual_time: bool) -> float:
+        """How fast the bench's time passes in a run that was ordered so; 0 where nobody can say."""
+        stated = SPEEDS.get(order.pace, 0.0) if virtual_time and order else 1.0
+        return self.learnt(stated) if virtual_time and stated else stated
+
     def learnt(self, stated: float) -> float:
         """What is seen, once there is enough of it; until then the pace of life where it is `stated`, else 0: unknown.
 
