@@ -19,6 +19,8 @@ class Roomy(QLabel):
         self.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._may_say: tuple[str, ...] = ()
+        self._asked: object = None  # of a layout, which asks for the same again and again
+        self._found = QSize()
         keeps = self.sizePolicy()
         keeps.setRetainSizeWhenHidden(True)
         self.setSizePolicy(keeps)
@@ -44,8 +46,12 @@ class Roomy(QLabel):
         return max(super().heightForWidth(width), self._room(width).height()) if self.wordWrap() else -1
 
     def _room(self, width: int) -> QSize:
+        asked = (width, self.font().key(), self._may_say)
+        if asked == self._asked:
+            return self._found
         room, flags = QSize(), Qt.TextFlag.TextWordWrap if self.wordWrap() else Qt.TextFlag.TextSingleLine
         for text in self._may_say:
             seen = self.fontMetrics().boundingRect(QRect(0, 0, width, NO_END_PX), flags, text)
             room = room.expandedTo(seen.size())
+        self._asked, self._found = asked, room
         return room

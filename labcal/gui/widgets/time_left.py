@@ -24,6 +24,7 @@ class TimeLeft(QWidget):
     def __init__(self, run: RunViewModel) -> None:
         super().__init__()
         self._run = run
+        self._room: tuple[tuple[str, ...], bool] = ((), False)  # for which steps there is room
         self.progress = QProgressBar()
         self.progress.setRange(0, THOUSANDTHS)
         self.progress.setTextVisible(False)
@@ -50,15 +51,17 @@ class TimeLeft(QWidget):
 
     def _give_room(self) -> None:
         """As long as a run goes on: what stands below moves with no word that comes or goes."""
-        if not self._run.alive:
-            self.left.room_for()
-            return self.until.room_for()
+        run = self._run
+        wanted = (run.names if run.alive else (), faster_than_life(run.order, run.virtual_time))
+        if wanted == self._room:
+            return
+        self._room = wanted
         done = self.tr("Done at about {0}").format(LONGEST_TIME)
-        titles = {needed_title(name).replace("-", UNBROKEN) for name in self._run.names}
+        titles = {needed_title(name).replace("-", UNBROKEN) for name in wanted[0]}
         needed = (self.tr("You are needed at {0}: {1}").format(LONGEST_TIME, title) for title in titles)
         soon = (self.tr("You are needed within a minute: {0}").format(title) for title in titles)
         self.until.room_for(*sorted(f"{one}\n{done}" for one in (*needed, *soon)))
-        return self.left.room_for(self._at_step(len(self._run.names), len(self._run.names), LONGEST_LEFT))
+        self.left.room_for(*(self._at_step(len(wanted[0]), len(wanted[0]), LONGEST_LEFT) for _ in wanted[0][:1]))
 
     def _left(self) -> str:
         run, left_s = self._run, self._run.left_s()
