@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtWidgets import QLabel
-from test_hands_in_the_cage import MOUNT, READY, says, send
+from test_hands_in_the_cage import MOUNT, READY, says, send, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
 from test_hands_off_everywhere import settle
@@ -60,7 +60,17 @@ def test_at_rest_the_words_stay_and_only_the_age_changes(real):
     assert [one.replace(", 2 s ago", "").replace(", 3 s ago", "") for one in said] == [said[0]] * 3
 
 
-OF_HANDS = "▲ Hands off", "✕ HANDS OFF", "HANDS OFF", "Hands off", "✓ Hands may", "● Hands may", "hands off,"
+KEEPS_OFF = "● on", "● platform turns", "● coils on"  # what is amber would be that hands may go in
+OF_HANDS = (
+    *KEEPS_OFF,
+    "▲ Hands off",
+    "✕ HANDS OFF",
+    "HANDS OFF",
+    "Hands off",
+    "✓ Hands may",
+    "● Hands may",
+    "hands off,",
+)
 LIGHTS = {"red": "bad", "amber": "warning", "green": "good"}
 
 
@@ -110,7 +120,7 @@ def test_all_places_show_one_light_and_every_no_is_red(real, running, theme):
 
 def test_a_turn_as_planned_and_a_fault_are_red_and_told_apart_by_shape(real, running, theme):
     send(running, SegmentOpened(4.0, Segment("z+20uT", "rotation")))
-    says(running, (0.4, 0.4, 0.4))
+    says(running, (0.4, 0.4, 0.4), platform=stands(moving=True))
     planned = {running.side.keep_off.text(), running.top.keep_off.text(), *inks(running)}
     assert not [one for one in planned if "✕" in one]
     assert light(running, theme) == "red"

@@ -16,7 +16,7 @@ from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.failed_step import SHOWN, in_short
-from labcal.gui.viewmodels.hands_now import OFF
+from labcal.gui.viewmodels.lab_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause

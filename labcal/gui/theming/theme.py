@@ -113,6 +113,7 @@ QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning
 QLabel[state="alone"] { color: $alone; } QLabel[state="off"] { color: $off; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }
+QLabel#caption[state="off"] { color: $off; }
 QLabel#caption[state="now"] { color: $accent; font-weight: 600; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }

@@ -28,10 +28,9 @@ from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
-from labcal.gui.viewmodels.hands_now import OFF
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import as_watched, reference_U
+from labcal.gui.viewmodels.lab_now import OFF, as_watched, reference_U
 from labcal.gui.viewmodels.lab_there import lab_there, platform_there
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd

@@ -13,6 +13,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.lab_now import (
     LOOK_S,
+    OFF,
     WATCHED_S,
     LabNow,
     age_words,
@@ -23,7 +24,6 @@ from labcal.gui.viewmodels.lab_now import (
 
 ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
 MAY = "good", ALONE  # the states of a yes
-OFF = "off"  # the state of a no where nothing is known to be wrong; where something is, it is "bad"
 PLACES = re.compile(r"(\.\d{3})\d+(?= A)")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),

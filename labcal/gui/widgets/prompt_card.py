@@ -20,8 +20,8 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
 from labcal.gui.viewmodels.first_thing import first_thing
 from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, coming, reached_into
-from labcal.gui.viewmodels.hands_now import MAY, OFF, hands_of
-from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_drawn
+from labcal.gui.viewmodels.hands_now import MAY, hands_of
+from labcal.gui.viewmodels.lab_now import OFF, LabNow, age_words, as_watched, mark_of, platform_drawn
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
