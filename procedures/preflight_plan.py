@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from labcal.bench.bench import Bench
-from labcal.bench.mounting import AXES
+from labcal.bench.mounting import AXES, inclined_field
 from labcal.bench.rotation import Rotation, fastest_rate
-from labcal.bench.steps import Plan, Resume
+from labcal.bench.steps import Plan, Resume, rate_between
 from procedures.running_estimate import RunningEstimate
 
 POSITIONS = ("DUT less reference, coils off", "DUT less reference, first position")
-MOUNT_S, SYNC_S, AXES_S = 10.0, 42.0, 44.0  # lab time of what is not a turn, for the time that is left
+SYNC_S, AXES_S = 42.0, 44.0  # lab time of what is not a turn, for the time that is left
+FIRST_S, MORE_S = (
+    3.6,
+    2.8,
+)  # to the first field; of a turn beside its way: confirmed, both ends recorded
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,15 +41,22 @@ class PreflightPlan:
     estimate: RunningEstimate
     finished: frozenset[str] = frozenset()  # steps done before an interruption, which are not repeated
     times: int = 0  # that it was gone on with: what is turned then has a mounting, thus a phase, of its own
+    way_s: float = 0.0  # to the field of a turn from that of the one before, on average
+    back_s: float = 0.0  # to where an axis began, after turns of which each goes on where the one before ended
     unclosed: frozenset[str] = frozenset()  # axes of which every turn is kept, and only the closure is to be made up
 
     def at_rate_of(self, bench: Bench) -> PreflightPlan:
-        """The same at the fastest rate that is allowed, unless one was asked for."""
+        """The same at the fastest rate that is allowed, unless one was asked for; and how long its currents take."""
+        fields = [inclined_field(bench, field_nT, self.inclination_deg) for field_nT in (*self.fields_nT, 0.0)]
+        ways_s = [bench.cage.way_s(to - before) for before, to in zip(np.roll(fields, 1, axis=0), fields, strict=True)]
+        there = len(self.fields_nT) * len(self.modes) % 2 and bench.by_hand is None
+        back_s = 360.0 / rate_between(bench) if there else 0.0
+        same = replace(self, way_s=float(np.mean(ways_s)), back_s=back_s)
         if self.rate_asked:
-            return self
+            return same
         strongest = max(abs(b) for b in self.fields_nT)
         return replace(
-            self, rate_deg_per_s=fastest_rate(bench, strongest, self.inclination_deg, self.u_time_s, self.timing_nT)
+            same, rate_deg_per_s=fastest_rate(bench, strongest, self.inclination_deg, self.u_time_s, self.timing_nT)
         )
 
     def left(self, axis: str, done: frozenset[str]) -> list[tuple[str, str, float]]:
@@ -90,16 +103,17 @@ class PreflightPlan:
 
     def plan(self) -> Plan:
         """All steps with their lab time, those that are kept with none: theirs counts as done."""
-        one = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s).seconds()
-        steps, kept_s = [("zero", self.zero_s + MOUNT_S), ("axes-check", AXES_S), ("sync-check", SYNC_S)], 0.0
+        turn = Rotation("", AXES["x"], "", self.rate_deg_per_s, step_deg=self.step_deg, dwell_s=self.dwell_s)
+        one, opening_s, kept_s = turn.seconds() + self.way_s + MORE_S, self.zero_s + self.dwell_s + FIRST_S, 0.0
+        steps = [("zero", opening_s), ("axes-check", AXES_S), ("sync-check", SYNC_S)]
+        both_s = self.dwell_s + FIRST_S, self.dwell_s + FIRST_S + self.back_s  # before its turns, after them
         for axis in self.axes:
             left = {name: one for name, _, _ in self.left(axis, self.finished)}
             turns = [(name, left.get(name, 0.0)) for name, _, _ in self.turns(axis)]
-            ends_s = MOUNT_S + self.dwell_s, self.dwell_s
-            mount_s, closure_s = ends_s if self.to_mount(axis) else (0.0, 0.0)
+            mount_s, closure_s = both_s if self.to_mount(axis) else (0.0, 0.0)
             steps += [(f"mount-{axis}", mount_s), *turns, (f"closure-{axis}", closure_s)]
-            kept_s += one * (len(turns) - len(left)) + sum(ends_s) - mount_s - closure_s
-        return Plan((*steps, ("closing", self.zero_s + self.dwell_s + MOUNT_S)), self.asks(), kept_s)
+            kept_s += one * (len(turns) - len(left)) + sum(both_s) - mount_s - closure_s
+        return Plan((*steps, ("closing", opening_s)), self.asks(), kept_s)
 
     def asks(self) -> frozenset[str]:
         """The steps that begin with mounting or switching; the first mounting is in the zero."""

@@ -138,8 +138,12 @@ def to_angle(bench: Bench, angle_deg: float, *, then_asks: bool = False) -> Work
     bench.homed = True
     while bench.platform.moving():
         yield from record(bench, TICK_S)
-    fastest = min(bench.platform.max_rate_deg_per_s, bench.config.dut.limits.rate_deg_per_s or np.inf, 30.0)
-    yield from turn(bench, angle_deg, fastest)
+    yield from turn(bench, angle_deg, rate_between(bench))
+
+
+def rate_between(bench: Bench) -> float:
+    """How fast the platform is brought to where something is to be measured [deg/s]."""
+    return min(bench.platform.max_rate_deg_per_s, bench.config.dut.limits.rate_deg_per_s or np.inf, 30.0)
 
 
 def recorded(bench: Bench, segment: Segment, work: Work[T]) -> Work[T]:

@@ -29,7 +29,7 @@ from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import turns_written
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
-from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain
+from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -247,6 +247,7 @@ class Frame(QMainWindow):
         self.message.setText(turns_written(in_words(state.message)))
         self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
+        set_state(self.waiting, state.waiting_state)
 
     def _blank_line(self) -> None:
         for part in (self.said_at, self.message, self.waiting):

@@ -67,14 +67,14 @@ class InstrumentRow(QWidget):
         self.name.setAlignment(Qt.AlignmentFlag.AlignTop)
         row.addLayout(Flow(self.name, self.age), 1)  # the age below, where there is no room for it
 
-    def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool) -> None:
-        """`aged`: its `words` are its age, said here where it stands `alone` with that.
+    def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool, back: str) -> None:
+        """`aged`: its `words` are its age, said here where it stands `alone` with that; `back`: it was out meanwhile.
 
         Who answers has its mark alone: what is wrong, or not of now, stands out.
         """
         self.mark.setText(shape)
-        self.age.setText(words if aged else "")
-        self.age.setVisible(aged and alone)
+        self.age.setText(", ".join(filter(None, (words if aged and alone else "", back))))
+        self.age.setVisible(bool(self.age.text()))
         self.name.say(f"{shape} {name}  {words}".strip(), name if aged else f"{name}  {words}".strip())
         set_state(self.mark, colour)
         set_state(self.name, "" if colour == "good" else colour)
@@ -268,7 +268,7 @@ class SidePanel(Surface):
             self.rows.append(InstrumentRow())
             self._lights.addWidget(self.rows[-1])
         self.read_all.setEnabled(bool(state.bench) and not state.now.driven and not state.reading)
-        others = dict(state.other_serials)
+        others, back = dict(state.other_serials), dict(state.back)
         of_all = self._of_all(state)
         self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))
         self.legend.setVisible(bool(self.legend.text()))
@@ -279,7 +279,8 @@ class SidePanel(Surface):
             words = words or (translated(plain) if aged else "")
             if light != "fault" and name in others:
                 shape, colour, words, aged = "▲", "warning", others[name], False
-            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=not of_all and light != "ok")
+            alone = not of_all and light != "ok"
+            row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=alone, back=back.get(name, ""))
             row.name.setToolTip(guardian_is(name))
             row.show()
         for row in self.rows[len(state.now.lights) :]:

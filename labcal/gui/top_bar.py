@@ -9,9 +9,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout
 
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.lab import LabState
+from labcal.gui.viewmodels.what_happens import keep_off_words
 from labcal.gui.widgets.barcode_scanner import takes_names, takes_scans
 from labcal.gui.widgets.by_itself import cannot_be_shown
 from labcal.gui.widgets.common import OneLine, Surface, label, plain, set_state
+from labcal.gui.widgets.roomy import Roomy
 
 
 class TopBar(Surface):
@@ -45,7 +47,8 @@ class TopBar(Surface):
         self.simulated = label(self.tr("SIMULATED"), "simulated")
         row.addWidget(self.simulated)
         row.addStretch()
-        self.keep_off = label("", "keep_off")
+        self.keep_off = Roomy("keep_off")
+        self.keep_off.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
         row.addWidget(self.keep_off)
         self.off = QPushButton(self.tr("COILS OFF   F12"))
@@ -67,6 +70,7 @@ class TopBar(Surface):
         self._show_objections(state)
         self.bench.setText(state.bench or "–")
         words, mark = state.keep_off
+        self.keep_off.room_for(*keep_off_words())  # SIMULATED does not move as it comes
         self.keep_off.setText(words)
         set_state(self.keep_off, mark)
         self.keep_off.setVisible(bool(words))

@@ -108,6 +108,7 @@ def deaf_window_at(home):
         patch.setattr(app_state, "Client", DeafWorker)
         window = Window(AppState(settings_in(home)), LIGHT)
     window.show()
+    window.size_at_first = window.size()
     window.open_page("Run")
     window.page("Run")
     window.procedures = procedures(None, ListProcedures())
@@ -171,12 +172,13 @@ def rest():
 
 
 def at_rest(window):
-    """Nothing asked, said or begun, on a known bench; forms and cards as they were at first."""
+    """Nothing asked, said or begun, on a known bench; forms, cards and the window's size as they were at first."""
     from labcal.gui.ipc.bench_commands import read_bench
     from labcal.gui.ipc.messages import ListRuns, ReadBench
 
     app_state = window.app_state
     window.scanner.flush()
+    window.resize(window.size_at_first)  # in a smaller one the next test's words would have less room
     window.raise_()
     window.activateWindow()
     app_state.watch.stop()

@@ -49,7 +49,7 @@ def test_a_platform_that_the_run_turns_is_not_read_for_a_moment_and_alarms_nobod
     says(running, platform=PlatformReading(0.0, True, time.monotonic() - HOMES_S - 2.0))
     assert "NOT confirmed" in running.side.platform.text()
     says(running, platform=PlatformReading(fault="silent"))
-    assert headline(running).startswith("HANDS OFF – ")
+    assert headline(running).startswith("✕ HANDS OFF – ")
 
 
 def card_of(window):
@@ -66,7 +66,7 @@ def lives(card):
 KEPT_OUT = [  # coils, platform turns, what the reference says; what stands largest, whether it can be answered
     ((0.0, 0.0, 0.0), False, "", "", True),
     ((0.0, 0.0, 0.4), False, "", "HANDS OFF", False),
-    ((0.0, 0.0, None), False, "", "HANDS OFF", False),
+    ((0.0, 0.0, None), False, "", "✕ HANDS OFF", False),
     ((0.0, 0.0, 0.0), True, "", "HANDS OFF", False),
     ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands off", True),  # what was mounted may be as magnetic
 ]
@@ -120,7 +120,7 @@ def test_no_question_stands_for_ever(running):
     send(running, replace(MOUNT, key="mode-low", choices=("done",)))
     contradicted = Witness("disagrees", "it sees 1 nT", read_s=time.monotonic())
     says(running, platform=stands(), witness=contradicted)  # a device in another mode is seen by the reference for good
-    assert (card.text.text(), lives(card)) == ("HANDS OFF", [True])
+    assert (card.text.text(), lives(card)) == ("✕ HANDS OFF", [True])
     says(running, platform=stands(moving=True, age_s=WATCHED_S + 5.0))  # of a simulated lab, which stands still
     assert lives(card) == [True]
     running.app_state.run.virtual_time = False
@@ -134,14 +134,14 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
         real.open_page(page)
         assert real.side.hands.isVisible()
         assert real.side.hands.text() == "▲ Hands off: not read yet"
-    assert real.side.hands.property("state") == "warning"
+    assert real.side.hands.property("state") == "off"
     real.app_state.take_lab(read(FRESH_S + 1.0))
     assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
     real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
     assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: coils on: z +0.400 A", "bad")
     real.app_state.take_lab(lab((0.0, 0.0, None)))
     assert real.side.hands.text() == "▲ Hands off: coils NOT confirmed at zero"
-    assert (real.side.zero_words.isVisible(), real.side.keep_off.text()) == (False, "HANDS OFF")  # said once
+    assert (real.side.zero_words.isVisible(), real.side.keep_off.text()) == (False, "✕ HANDS OFF")  # said once
 
 
 def test_it_stands_there_in_every_state_of_a_run(running):

@@ -33,8 +33,7 @@ def test_who_goes_on_with_a_run_of_another_window_sees_its_turns_pale(still, mon
     assert (len(drawn.rows()), len(drawn.rows(earlier=True))) == (0, 3)
     seen = []
     monkeypatch.setattr(live.loci, "show_field", lambda rows, cloud=0: seen.append((len(rows), cloud)))
-    live._behind, live._ticks = True, 1000
-    live.draw()
+    live.pictures.draw_loci()
     assert seen == [(0, 0), (3, 1)]
 
 

@@ -52,7 +52,7 @@ def test_at_rest_a_field_that_only_a_coil_makes_keeps_hands_off(real, supply_x_A
     real.app_state.take_lab(agreed(ago_s))
     read(real, 48_000.0, supply_x_A)
     large, said = hands(real)
-    assert large == "HANDS OFF"
+    assert large == "✕ HANDS OFF"
     assert said.startswith(SAID if supply_x_A is not None else STILL_ON)  # and what else there is
 
 
@@ -91,12 +91,12 @@ def test_what_a_mounting_makes_does_not_and_it_goes_with_the_field(real):
     read(real, 4_000.0)
     assert hands(real)[0] == ""
     read(real, 48_000.0)
-    assert hands(real) == ("HANDS OFF", SAID)
+    assert hands(real) == ("✕ HANDS OFF", SAID)
     read(real, 0.0)
     assert hands(real)[0] == ""
     read(real, 48_000.0, None)
     read(real, 0.0, None)
-    assert hands(real) == ("HANDS OFF", "▲ Hands off: coils NOT confirmed at zero")
+    assert hands(real) == ("✕ HANDS OFF", "▲ Hands off: coils NOT confirmed at zero")
 
 
 def test_a_reference_that_was_moved_tells_nothing(real):
@@ -112,7 +112,7 @@ def test_at_a_mounting_in_a_run_as_well(running):
     more = Witness("not known", CHANGED, (OFF_NT[0] - 48_000.0, *OFF_NT[1:]), OFF_NT, 48_000.0, 4_500.0, now)
     says(running, platform=stands(), witness=more)
     assert running.page("Run").live.prompt.hands.text() == SAID.replace("+48", "−48")
-    assert running.side.keep_off.text() == "HANDS OFF"
+    assert running.side.keep_off.text() == "✕ HANDS OFF"
 
 
 def test_at_rest_a_zero_is_seen_by_the_ambient_field_that_the_run_had_measured(real):

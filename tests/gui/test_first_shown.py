@@ -16,3 +16,8 @@ def test_the_buttons_of_a_run_that_was_stopped_are_never_larger_than_buttons(new
     assert live.close_run.size().isEmpty()  # no event has gone by, and nothing is painted over the steps
     QApplication.processEvents()
     assert live.close_run.size() == live.close_run.sizeHint()
+
+
+def test_each_test_finds_the_window_in_its_first_size(still, rest):
+    still.resize(1024, 700)
+    assert rest(still).size() == still.size_at_first

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from lab_states import told
+from PySide6.QtCore import QTimer
 
 from labcal.bench.coils.state import AT_ZERO, BY_WORD, LabState, PlatformReading
 from labcal.gui.ipc.backlog import PastMessages
@@ -14,6 +15,7 @@ from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import GoesOn, Pause, ReadBench, Recorded, RunProcedure, StateRead
 from labcal.gui.pages import run_live
 from labcal.gui.viewmodels.hands_now import hands_words
+from labcal.gui.widgets.run_pictures import LOCI_EVERY
 from labcal.record import Segment
 from labcal.record.stream import Block, Event, Measurement, Prompt, SegmentOpened, Step
 
@@ -86,8 +88,8 @@ def test_a_page_that_is_built_into_a_question_says_how_coils_and_platform_are(ne
         (AT_ZERO, "platform turns, at 12°", "▲ Hands off: platform turns", "bad"),
         (AT_ZERO, "platform NOT confirmed at a standstill", "▲ Hands off: platform NOT confirmed at a stand", "bad"),
         ("coils on: x +1.1000 A", "platform stands at 0°", "▲ Hands off: coils on", "bad"),
-        ("coils not read back in this session", "", "▲ Hands off: not read yet", "warning"),
-        ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands off: the coils are not being", "warning"),
+        ("coils not read back in this session", "", "▲ Hands off: not read yet", "off"),
+        ("coils confirmed at zero 12 s ago; not watched since", "", "▲ Hands off: the coils are not being", "off"),
         ("coils NOT confirmed at zero", "", "▲ Hands off: coils NOT confirmed at zero", "bad"),
     ],
 )
@@ -161,9 +163,35 @@ def test_the_spheres_follow_by_the_clock_however_seldom_rows_come(running):
     live.draw()
     before = drawn(live)
     send(running, replace(first, t_s=first.t_s[2:], values=first.values[2:]))  # a block of half a second, and no more
-    for _ in range(run_live.LOCI_EVERY):
+    for _ in range(LOCI_EVERY):
         live.draw()
     assert drawn(live) > before
+
+
+def test_the_spheres_begin_with_the_first_rows_of_each_turn(running):
+    """At 100 times the pace a turn may be over before they are drawn the next time."""
+    live, turns = running.page("Run").live, (TURN, "z-50uT-nominal")
+    seen = []
+    for turn in turns:
+        send(running, SegmentOpened(0.5, Segment(turn, "rotation")))
+        live.draw()
+        send(running, replace(circle(), t_s=circle().t_s[:5], values=circle().values[:5]))
+        live.draw()
+        seen.append(drawn(live))
+    assert 0 < seen[0] < seen[1]
+
+
+def test_at_a_high_pace_the_pictures_are_drawn_all_the_same(running, qtbot, monkeypatch):
+    """Each word of the run began the time to the next frame anew: where they came quickly there was none."""
+    live, frames = running.page("Run").live, []
+    monkeypatch.setattr(live.pictures, "draw", lambda: frames.append(1))
+    running.open_page("Run")
+    send(running, SegmentOpened(0.5, Segment(TURN, "rotation")))
+    words = QTimer(interval=run_live.FRAME_MS // 4)
+    words.timeout.connect(running.app_state.run.changed)
+    words.start()
+    qtbot.waitUntil(lambda: len(frames) >= 3, timeout=10_000)
+    words.stop()
 
 
 def test_what_was_covered_is_of_this_step(running):

@@ -247,7 +247,7 @@ def test_a_doubt_that_is_older_than_the_zero_of_the_supplies_has_the_reference_l
 
 def test_under_a_card_that_says_the_coils_may_be_on_there_is_no_second_headline(running):
     says(running, (0.0, 0.0, 1.0), faulty=("dut",))
-    assert headline(running).startswith("HANDS OFF")
+    assert headline(running).startswith("✕ HANDS OFF")
     running.app_state.off.warn(Fault("coils", "z: lost"))
     assert running.fault.isVisible()
     assert headline(running) == ""

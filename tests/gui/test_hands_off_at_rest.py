@@ -36,7 +36,7 @@ def test_a_reason_that_is_known_is_hands_off_on_every_page(real, why):
     real.app_state.take_lab(KNOWN[why]())
     for page in real.lazy_pages:
         real.open_page(page)
-        assert at(real) == ("HANDS OFF", "bad")
+        assert at(real) == ("✕ HANDS OFF", "bad")
     assert real.side.keep_off.fontMetrics().height() > 2 * GRID
     real.app_state.take_lab(lab(platform=stands()))
     assert at(real) == ("", "")
@@ -44,8 +44,8 @@ def test_a_reason_that_is_known_is_hands_off_on_every_page(real, why):
 
 def test_a_bench_that_nobody_has_read_yet_is_calm(real):
     real.app_state.take_lab(LabState(unread()))
-    assert at(real) == ("▲ Hands off", "warning")
-    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: not read yet", "warning")
+    assert at(real) == ("▲ Hands off", "off")
+    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: not read yet", "off")
 
 
 def test_a_simulated_lab_whose_run_is_over_is_no_alarm(still):

@@ -66,7 +66,7 @@ def test_no_words_of_the_red_card_are_larger(still):
         ((0.0, 0.0, 0.0), False, CHANGED, "▲ Hands off"),
         ((0.0, 0.0, 0.0), True, BEFORE_HANDS, "HANDS OFF"),
         ((0.0, 0.0, 0.3), False, BEFORE_HANDS, "HANDS OFF"),
-        ((0.0, 0.0, None), False, BEFORE_HANDS, "HANDS OFF"),
+        ((0.0, 0.0, None), False, BEFORE_HANDS, "✕ HANDS OFF"),
     ],
 )
 def test_what_is_on_or_not_confirmed_keeps_hands_off_at_a_question(running, currents, platform, why, said):
@@ -100,7 +100,7 @@ def test_while_it_is_asked_whether_hands_are_off_nobody_tells_them_to_go_in(runn
     ):  # fmt: skip
         send(running, replace(READY, text=text))
         assert running.side.hands.text() == f"▲ Hands off: {comes}"
-        assert running.side.hands.property("state") == "warning"
+        assert running.side.hands.property("state") == "off"
         assert running.side.keep_off.text() == running.top.keep_off.text() == "▲ Hands off"
     says(running, platform=stands(), faulty=("dut",))  # whose plug is seen to first
     assert running.side.hands.text().startswith(("✓ Hands may go in", "● Hands may go in"))

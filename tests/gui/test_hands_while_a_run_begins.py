@@ -21,7 +21,7 @@ def hands(window):
     return side.hands.text(), side.hands.property("state"), side.keep_off.text()
 
 
-BEGINS = ("▲ Hands off: the run begins", "warning", "▲ Hands off")
+BEGINS = ("▲ Hands off: the run begins", "off", "▲ Hands off")
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_nor_is_one_that_goes_on_after_a_pause(at_zero):
 def test_a_reason_that_is_known_stays_one(at_zero):
     at_zero.app_state.take_lab(lab((0.0, 0.0, None), platform=stands()))
     at_zero.app_state.run.start(ORDER)
-    assert hands(at_zero)[2] == "HANDS OFF"
+    assert hands(at_zero)[2] == "✕ HANDS OFF"
 
 
 def test_at_rest_they_are_let_in_by_one_look_and_its_answer(real):
@@ -76,4 +76,4 @@ def test_at_rest_they_are_let_in_by_one_look_and_its_answer(real):
     assert hands(real)[1] == "alone"
     assert f"{WATCHED_S} s ago" in hands(real)[0]
     real.app_state.take_lab(old.shifted(by - time.monotonic() - 1.0))
-    assert hands(real)[1] == "warning"
+    assert hands(real)[1] == "off"

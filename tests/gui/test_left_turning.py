@@ -113,4 +113,4 @@ def test_the_coils_keep_hands_out_before_the_platform(failed):
     assert words == "▲ Hands off: coils NOT confirmed at zero; platform turns"
     assert headline(failed) == "✕ Broken off: no answer from stage"
     failed.app_state.take_lab(lab((0.0, 0.0, None), PlatformReading(fault="silent"), faulty=("stage",)))
-    assert headline(failed) == "HANDS OFF – coils NOT confirmed at zero, platform may turn"
+    assert headline(failed) == "✕ HANDS OFF – coils NOT confirmed at zero, platform may turn"

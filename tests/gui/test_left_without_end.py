@@ -77,7 +77,7 @@ def test_hands_are_kept_out_on_every_page_until_the_coils_are_read(cut_off):
     for page in cut_off.lazy_pages:
         cut_off.open_page(page)
         assert (cut_off.side.hands.text(), cut_off.side.hands.isVisible()) == (CUT_OFF, True)
-        assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "HANDS OFF"
+        assert cut_off.side.keep_off.text() == cut_off.top.keep_off.text() == "✕ HANDS OFF"
     assert CUT_OFF in cut_off.page("Start").question.text()
     ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, cut_off.app_state.now_s()) for axis in "xyz")
     cut_off.app_state.off.order()

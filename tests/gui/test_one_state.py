@@ -216,7 +216,7 @@ def of_the_run(seen, run):
     if (
         seen.zero.startswith("✕")
         and run.state == "running"
-        and (not headline.startswith("HANDS OFF") or live.time_left.until.text())
+        and (not headline.startswith("✕ HANDS OFF") or live.time_left.until.text())
     ):
         yield f"{headline!r} and {live.time_left.until.text()!r} beside {seen.zero!r}"
     if seen.zero.startswith("✕") and not run.alive and seen.window.next.text() != "Next: See to the coils":

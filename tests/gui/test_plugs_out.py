@@ -34,9 +34,9 @@ def stands():
 
 def test_a_supply_that_is_out_is_named_with_hands_off_until_zero_is_confirmed(running):
     says(running, (0.0, 0.0, None), stands(), ("supply_z",))
-    assert headline(running) == "HANDS OFF – no answer from supply_z; coils NOT confirmed at zero"
+    assert headline(running) == "✕ HANDS OFF – no answer from supply_z; coils NOT confirmed at zero"
     says(running, (None, None, None), PlatformReading(fault="silent"))
-    assert headline(running).startswith("HANDS OFF – ")
+    assert headline(running).startswith("✕ HANDS OFF – ")
     assert headline(running).endswith("coils NOT confirmed at zero, platform may turn")
 
 

@@ -72,10 +72,10 @@ def test_a_supply_that_was_never_heard_is_no_alarm_of_the_morning(real):
     silent = (Heard("supply_z", None, "silent"),)
     real.app_state.take_lab(replace(lab((0.0, 0.0, None), platform=stands()), instruments=silent))
     assert not real.fault.isVisible()
-    assert hands(real)[1] == "HANDS OFF"
+    assert hands(real)[1] == "✕ HANDS OFF"
 
 
-def test_the_headline_of_a_fault_is_red_and_no_smaller_than_what_stood_there(still, qtbot):
+def test_the_headline_of_a_fault_is_red_has_a_cross_and_is_no_smaller_than_what_stood_there(still, qtbot):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     send(still, Step(0.0, 1, 4, "z+20uT", 60.0, STEPS, 20.0), SegmentOpened(1.0, Segment("z+20uT", "rotation")))
     still.open_page("Run")
@@ -83,13 +83,14 @@ def test_the_headline_of_a_fault_is_red_and_no_smaller_than_what_stood_there(sti
     words, before = headline(still), still.page("Run").live.headline
     assert words.startswith("Hands off")
     qtbot.wait(50)
-    size, ink = before.font().pointSize(), before.palette().windowText().color()
+    size, room = before.font().pointSize(), before.minimumHeight()
+    assert before.palette().windowText().color().name() == still.theme.bad.lower()  # hands have to be off as well
     says(still, (0.0, 0.0, None), platform=stands(), faulty=("supply_z",))
-    assert headline(still) == "HANDS OFF – no answer from supply_z; coils NOT confirmed at zero"
+    assert headline(still) == "✕ HANDS OFF – no answer from supply_z; coils NOT confirmed at zero"
     qtbot.wait(50)
     after = still.page("Run").live.headline
     assert after.font().pointSize() >= size
-    assert after.palette().windowText().color() != ink
+    assert after.minimumHeight() > room
     assert after.palette().windowText().color().name() == still.theme.bad.lower()
 
 

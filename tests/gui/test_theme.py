@@ -1,3 +1,5 @@
+import itertools
+
 import numpy as np
 import pytest
 from PySide6.QtWidgets import QLabel, QTableWidget
@@ -107,3 +109,11 @@ def test_what_is_drawn_of_a_run_has_no_colour_of_a_state_an_axis_or_a_button(qap
     pictures += [*vector_colours(theme), theme.before, theme.after]
     assert len(pictures) > 15
     assert not taken & set(pictures)
+
+
+@pytest.mark.parametrize("theme", [LIGHT, DARK], ids=lambda t: t.name)
+@pytest.mark.parametrize("eyes", EYES)
+def test_the_three_lights_of_hands_are_told_apart_by_any_eyes(theme, eyes):
+    for one, other in itertools.combinations(("good", "warning", "bad"), 2):
+        apart = np.linalg.norm(seen(getattr(theme, one), eyes) - seen(getattr(theme, other), eyes))
+        assert apart >= (30 if eyes == "usual" else 10), (one, other, apart)

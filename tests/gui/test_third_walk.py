@@ -149,9 +149,9 @@ def test_as_long_as_anything_is_on_or_turns_the_headline_keeps_hands_off(still):
     emit((SegmentOpened(1.0, Segment("z+50uT", "rotation")),))
     turns, now = PlatformReading(220.0, True, time.monotonic()), time.monotonic()
     for z_A, platform, said in (
-        (1.13, turns, "HANDS OFF – no answer from dut; coils on, platform turning"),
-        (0.0, turns, "HANDS OFF – no answer from dut; platform turning"),
-        (0.0, PlatformReading(220.0, True, now - 12), "HANDS OFF – no answer from dut; platform may turn"),
+        (1.13, turns, "✕ HANDS OFF – no answer from dut; coils on, platform turning"),
+        (0.0, turns, "✕ HANDS OFF – no answer from dut; platform turning"),
+        (0.0, PlatformReading(220.0, True, now - 12), "✕ HANDS OFF – no answer from dut; platform may turn"),
         (0.0, PlatformReading(220.0, False, now), "✕ No answer from dut"),
     ):
         says(still, "dut", z_A=z_A, platform=platform)

@@ -180,7 +180,7 @@ def test_while_a_run_begins_one_sentence_stands_until_it_has_read_the_coils(real
             real.app_state.bench_worker.states.emit(known)
         app_state.grow_old()
         said.add((app_state.lab.state.keep_off, app_state.lab.state.hands))
-    assert said == {(("▲ Hands off", "warning"), ("▲ Hands off: the run begins", "warning"))}
+    assert said == {(("▲ Hands off", "off"), ("▲ Hands off: the run begins", "off"))}
     says(real, (0.0, 0.0, 1.1), platform=stands())
     assert app_state.lab.state.keep_off == ("HANDS OFF", "bad")
 

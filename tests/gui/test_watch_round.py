@@ -141,7 +141,7 @@ def test_at_rest_a_supply_that_falls_silent_lets_nobody_in_after_that(real, monk
     app_state.watch.round.took(COILS, 0.1)
     by_s = app_state.watch.round.by_s
     monkeypatch.setattr(lab_watch.time, "monotonic", lambda: now)
-    for silent_s, state in ((1.0, "good"), (by_s - 0.1, "good"), (by_s + 0.1, "warning")):
+    for silent_s, state in ((1.0, "good"), (by_s - 0.1, "good"), (by_s + 0.1, "off")):
         known = app_state.known.shifted(now - silent_s - app_state.known.coils[0].read_s)
         app_state.take_lab(replace(known, platform=stands()))
         assert real.side.hands.property("state") == state, (silent_s, real.side.hands.text())

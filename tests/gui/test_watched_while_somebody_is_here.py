@@ -48,7 +48,7 @@ def test_alone_it_stops_and_says_since_when(at_zero):
     at_zero.app_state.grow_old()
     said = at_zero.side.hands
     assert re.fullmatch(r"▲ Hands off: not read since \d\d:\d\d; move the mouse, and it is read again", said.text())
-    assert said.property("state") == "warning"
+    assert said.property("state") == "off"
     assert at_zero.side.keep_off.text() == ""  # no alarm
 
 

@@ -159,6 +159,11 @@ class Cage:
         last_A = {axis: abs(self._read[axis].set_A or 0.0) for axis in AXES}
         return max(last_A[axis] / rate for axis, rate in self._rates().items()) if self.on else 0.0
 
+    def way_s(self, change_nT: ArrayLike) -> float:
+        """How long the currents take for a change (3,) of the field, and until that is believed."""
+        change_A = np.abs(np.linalg.solve(self.matrix_nT_per_A, np.asarray(change_nT, dtype=float)))
+        return float(np.max(change_A / list(self._rates().values()))) + self._settle_s
+
     def coils(self) -> tuple[CoilReading, ...]:
         """Each axis as it was last read, on the bench's clock."""
         return tuple(self._read.values())

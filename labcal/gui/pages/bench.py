@@ -294,7 +294,8 @@ class BenchPage(QWidget):
         lights = self._app_state.lab.state.now.lights
         light, words = next(((light, words) for one, light, words in lights if one == name), ("absent", ""))
         shape, colour, plain = LIGHT_SHAPES[light]
-        return f"{shape} {words or translated(plain)}", {"": "muted", "old": "muted"}.get(colour, colour)
+        back = "".join(f", {said}" for one, said in self._app_state.lab.state.back if one == name)
+        return f"{shape} {words or translated(plain)}{back}", {"": "muted", "old": "muted"}.get(colour, colour)
 
     def _lab_changed(self) -> None:
         """At once, as the panel at the right: at 20 times its pace a lab is another one half a second later."""
@@ -334,7 +335,7 @@ class BenchPage(QWidget):
             standing, colour = self._standing(name)
             text = f"{words}   {age}" if old and not standing.endswith(age) else words  # an age stands once in a row
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
-            tip = f"{standing}\n{remedy_of(self._app_state, name)}".strip() if colour == "bad" else ""
+            tip = f"{standing}\n{remedy_of(self._app_state, name)}".strip()
             self.table.set_cell(row, 5, one_sentence(standing), colour=getattr(self._theme, colour), tip=tip)
         self._show_cage()
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import time
+
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
@@ -14,11 +16,12 @@ from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.failed_step import SHOWN, in_short
+from labcal.gui.viewmodels.lab_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
-from labcal.gui.viewmodels.what_happens import hands_at, is_alarm, kept_out, what_happens
+from labcal.gui.viewmodels.what_happens import hands_at, headline_state, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
@@ -32,14 +35,14 @@ from labcal.gui.widgets.paused_hands import PausedHands
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import DEAD_MS, PromptCard
 from labcal.gui.widgets.run_notes import RunNotes
+from labcal.gui.widgets.run_pictures import RunPictures
 from labcal.gui.widgets.sounds import Sounds
 from labcal.gui.widgets.step_list import StepList
 from labcal.gui.widgets.time_left import TimeLeft
 from labcal.gui.widgets.verdict_card import VerdictCard
 from labcal.gui.widgets.whole_card import UncutCard
 
-FRAME_MS, LOCI_EVERY = 40, 12  # the latter in frames: a locus grows slowly, and is expensive to draw
-SHOWN_S = 120.0  # of the traces
+FRAME_MS = 40
 
 
 class Live(QWidget):
@@ -53,7 +56,7 @@ class Live(QWidget):
         self.loci, self.traces = loci, traces
         self._asked: object = None
         self._heard_again, self._lost_since = AnswersAgain(), LostSince()
-        self._drawn, self._ticks, self._behind = -1, 0, False  # behind: the loci, of what was drawn
+        self.pictures = RunPictures(self._run, loci, traces)
         self._just_went_on = QTimer(self, interval=DEAD_MS, singleShot=True)  # a second click was meant for Go on
         self._just_went_on.timeout.connect(self._show)
         self._goes_on = self._details = False  # once ended: it may be gone on with; what was measured is in sight
@@ -257,7 +260,10 @@ class Live(QWidget):
         self.lights.show_run(run)
         self._show_fault(run.fault)
         self._ask()
-        self.frame_timer.start() if run.alive else self._draw_last()
+        if not run.alive:
+            self._draw_last()
+        elif not self.frame_timer.isActive():  # one that is begun anew at each word comes to no frame at a high pace
+            self.frame_timer.start()
 
     def _something_turns(self) -> bool:
         """Whether there is anything on the circles, or is to be now: empty ones say nothing while nothing turns."""
@@ -326,7 +332,7 @@ class Live(QWidget):
         self.waits_for.setText(translated(str(SHOWN)).format(", ".join(now.failed)) if now.failed else "")
         self.waits_for.setVisible(bool(now.failed) and self._goes_on)
         words, mark = hands_at(self._run, now)
-        self.prompt.say_lab(now, words if mark == "warning" else "")
+        self.prompt.say_lab(now, words if mark == OFF else "")
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
         self.prompt.say_moved(self._run.moved.words(by_the_wall=not self._run.virtual_time))
@@ -377,22 +383,15 @@ class Live(QWidget):
     def _say_now(self) -> None:
         now = self._app_state.lab.state.now
         words = what_happens(self._run, now, alarmed=self._app_state.warning_shown)
-        self.headline.say(words, alarms=is_alarm(words))
+        self.headline.say(words, headline_state(words))
 
     def draw(self) -> None:
-        """Draw what has come since the last frame."""
-        run = self._run
+        """Draw what has come since the last frame, for half of the time at most: the rest is for what comes."""
+        begun_s = time.monotonic()
         self.time_left.show_now(self._app_state.lab.state.now)
         self._say_now()
-        self.turn.show_run(run)
-        rows = run.dut.rows()
-        self._ticks += 1
-        if len(rows) != self._drawn or not run.alive or len(rows) >= 10_000:
-            if len(rows) < self._drawn or self._drawn <= 0:  # another run: nothing of the one before stays
-                self._ticks = LOCI_EVERY
-            self._drawn, self._behind = len(rows), True
-            self.traces.show_rows(rows[rows[:, 0] > rows[-1, 0] - SHOWN_S] if len(rows) else rows)
-        if self._behind and (self._ticks >= LOCI_EVERY or not run.alive):
-            self._ticks, self._behind = 0, False
-            self.loci.show_field(run.drawn.rows())
-            self.loci.show_field(run.drawn.rows(earlier=True), 1)
+        self.turn.show_run(self._run)
+        self.pictures.draw()
+        wait_ms = max(FRAME_MS, int(2000 * (time.monotonic() - begun_s)))
+        if wait_ms != self.frame_timer.interval():
+            self.frame_timer.setInterval(wait_ms)

@@ -1,6 +1,6 @@
 """Colours, sizes and the style sheet: neutral greys, one accent, three states, one colour for each axis.
 
-A colour has one meaning. States are green, amber and vermilion (Okabe-Ito), what may be clicked or goes on is blue;
+A colour has one meaning. States are green, amber and red, apart for all eyes, what may be clicked or goes on is blue;
 x, y and z are magenta, cyan and violet, which eyes that see fewer colours tell from these and from each other
 (tests/gui/test_theme.py works out what they see). What is drawn of a run is grey before and ink after. Every state
 has a shape and a word as well. Spacing stands on an 8-pixel grid.
@@ -72,8 +72,8 @@ LIGHT = Theme(
     accent="#0b5cad",
     on_accent="#ffffff",
     good="#00694b",
-    warning="#8a5a00",
-    bad="#b23a00",
+    warning="#966000",
+    bad="#ae0c1a",
     axis_x="#a8106e",
     axis_y="#00778f",
     axis_z="#6f3ad6",
@@ -89,13 +89,14 @@ DARK = Theme(
     accent="#6cb4f0",
     on_accent="#0d1a26",
     good="#37c89b",
-    warning="#e6a93c",
-    bad="#ff8a5c",
+    warning="#f0c128",
+    bad="#ff6848",
     axis_x="#ff4db8",
     axis_y="#a6f0ff",
     axis_z="#b070ff",
 )
 
+HANDS = {"good": "good", "alone": "warning", "off": "bad", "bad": "bad"}  # may go in by two witnesses, by one, may not
 STATES = {"PASS": ("✓", "good"), "MARGINAL": ("▲", "warning"), "FAIL": ("✕", "bad"), "CANNOT DECIDE": ("?", "warning")}
 
 _SHEET = Template(
@@ -109,9 +110,10 @@ QLabel#simulated { background: transparent; color: $warning; border: 2px solid $
                    padding: 4px 6px; border-radius: 4px; letter-spacing: 1px; }
 QLabel#keep_off { font-weight: 700; }
 QLabel[state="good"] { color: $good; } QLabel[state="warning"] { color: $warning; } QLabel[state="bad"] { color: $bad; }
-QLabel[state="alone"] { color: $warning; }
+QLabel[state="alone"] { color: $alone; } QLabel[state="off"] { color: $off; }
 QLabel[state="old"] { color: $muted; } QLabel#caption[state="bad"] { color: $bad; }
 QLabel#caption[state="good"] { color: $good; } QLabel#caption[state="warning"] { color: $warning; }
+QLabel#caption[state="off"] { color: $off; }
 QLabel#caption[state="now"] { color: $accent; font-weight: 600; }
 QPushButton { background: $surface; border: 1px solid $line; border-radius: 4px; padding: 7px 16px; }
 QPushButton:hover { border-color: $accent; } QPushButton:focus { border: 2px solid $accent; padding: 6px 15px; }
@@ -184,7 +186,12 @@ def style_sheet(theme: Theme, scale: float = 1.0) -> str:
         "huge_pt": f"{LARGE * 1.6 * scale:.1f}",
         "large_pt": f"{LARGE * scale:.1f}",
     }
-    return _SHEET.substitute(colours | sizes)
+    return _SHEET.substitute(colours | {state: state_ink(theme, state) for state in HANDS} | sizes)
+
+
+def state_ink(theme: Theme, state: str) -> str:
+    """The colour of `theme` that goes with a state, of hands or any other; "" is ink."""
+    return str(getattr(theme, HANDS.get(state, state) or "text"))
 
 
 def contrast(a: str, b: str) -> float:

@@ -9969,6 +9969,10 @@ after this step …</source>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>back {0}, out since {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -9970,6 +9970,10 @@ diesem Schritt …</translation>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation>Sie sind von zwei Prüflingen: Offsets und Skalenfaktoren sind keine Änderung von einem und stehen in keiner Tabelle. Reste und Ortskurven von beiden sind unten gezeichnet.</translation>
     </message>
+    <message>
+        <source>back {0}, out since {1}</source>
+        <translation>wieder da {0}, weg seit {1}</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -9970,6 +9970,10 @@ cette étape …</translation>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation>Elles sont de deux DUT : leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
     </message>
+    <message>
+        <source>back {0}, out since {1}</source>
+        <translation>de retour {0}, absent depuis {1}</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

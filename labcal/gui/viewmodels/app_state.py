@@ -30,7 +30,7 @@ from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import as_watched, reference_U
+from labcal.gui.viewmodels.lab_now import OFF, as_watched, reference_U
 from labcal.gui.viewmodels.lab_there import lab_there, platform_there
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
@@ -168,6 +168,7 @@ class AppState(QObject):
         self.left.forget()
         self.kept, self.one_dut.proposed = KnownLab(), False
         self.named_serials.forget()
+        self._said_no_more.back.forget()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
@@ -378,7 +379,8 @@ class AppState(QObject):
             self.take_lab(run.lab)
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
-        self.lab.update(message=self.said_at_the_end.line(), waiting=waits, **self._at_hands())
+        off = OFF if waits and waits == measuring else ""
+        self.lab.update(message=self.said_at_the_end.line(), waiting=waits, waiting_state=off, **self._at_hands())
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""

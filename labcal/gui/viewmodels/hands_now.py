@@ -13,6 +13,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.lab_now import (
     LOOK_S,
+    OFF,
     WATCHED_S,
     LabNow,
     age_words,
@@ -40,21 +41,21 @@ TEXTS = (
 def hands_words(coil_words: str, platform_words: str) -> tuple[str, str]:
     """Whether a person may reach in now, yes or no first, and the state that goes with it; every reason in short.
 
-    Green only where supplies and reference both say zero: what one of them says alone is amber.
+    Green only where supplies and reference both say zero: what one of them says alone is amber. A no is red.
     """
     if why := reasons(coil_words, platform_words):
         return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"
     if platform_mark(platform_words)[1] == "old":  # it stood, and nobody has looked since
-        return translated("▲ Hands off: the platform is not being read"), "warning"
+        return translated("▲ Hands off: the platform is not being read"), OFF
     if coil_words == state.NOT_READ:  # nothing is known to be wrong: an alarm each morning would be learned away
-        return translated("▲ Hands off: not read yet"), "warning"
+        return translated("▲ Hands off: not read yet"), OFF
     if coil_words == state.AT_ZERO:
         return translated("✓ Hands may go in: {0}").format(in_words(state.BY_BOTH)), "good"
     if CHANGED in coil_words:  # a current that its supply does not own to, or something very magnetic
-        return translated("▲ Hands off: {0}").format(in_words(CHANGED)), "warning"
+        return translated("▲ Hands off: {0}").format(in_words(CHANGED)), OFF
     if coil_words.startswith(state.BY_WORD):
         return translated("● Hands may go in: {0}").format(in_words(coil_words)), ALONE
-    return translated("▲ Hands off: the coils are not being read"), "warning"  # they were, and were at zero
+    return translated("▲ Hands off: the coils are not being read"), OFF  # they were, and were at zero
 
 
 def reasons(coil_words: str, platform_words: str) -> list[str]:
@@ -85,7 +86,7 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age.
 
     Who gives no answer when it is looked at lets nobody in by what it said before. "bad" where a reason is known, which
-    is as loud at rest as in a run; "warning" where nobody has looked.
+    is as loud at rest as in a run; `OFF` where nobody has looked.
     """
     if left := left_words(now):
         return left, "bad"
@@ -100,7 +101,7 @@ def hands_of(now: LabNow) -> tuple[str, str]:
         return translated("▲ Hands off: the platform is not being read"), "bad"
     if mark != "bad" and now.unread_since:
         words = translated("▲ Hands off: not read since {0}; move the mouse, and it is read again")
-        return words.format(now.unread_since), "warning"
+        return words.format(now.unread_since), OFF
     return said, mark
 
 

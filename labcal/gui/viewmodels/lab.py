@@ -30,11 +30,13 @@ class LabState:
     keep_off: tuple[str, str] = ("", "")  # the heading over every page while hands have to be off, and its state
     hands: tuple[str, str] = ("", "")  # whether they may go in, and its state; "" where none is to reach in
     other_serials: tuple[tuple[str, str], ...] = ()  # instruments that name another serial than is stated, in words
+    back: tuple[tuple[str, str], ...] = ()  # who answers again, and from when to when that was out
     field_U_nT: float | None = None  # k = 2
     unit: FieldUnit = "nT"
     message: str = ""  # what happened last
     said_at: str = ""  # and when, 07:12:04
     waiting: str = ""
+    waiting_state: str = ""  # of hands, where that speaks of them
 
 
 class LabViewModel(QObject):

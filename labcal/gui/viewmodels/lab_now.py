@@ -38,6 +38,7 @@ LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
 HOMES_S = 10  # so long a platform that a run turns may look for its zero unread
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
+OFF = "off"  # the state of what keeps hands off where nothing is known to be wrong; where something is, it is "bad"
 TELLERS = ("coil-", "polarity", "reference", "platform")  # roles that tell how coils and platform are
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
 TEXTS = (
@@ -247,7 +248,7 @@ def mark_of(coil_words: str, *, at_rest: bool = False) -> tuple[str, str]:
     if coil_words.startswith(state.BY_WORD):
         return "■", ""  # at zero as far as anybody can tell: no alarm, and no all clear
     bad = coil_words.startswith((state.NOT_BY_REFERENCE, state.NOT_CONFIRMED))
-    return ("✕", "bad") if bad else ("●", "warning")
+    return ("✕", "bad") if bad else ("●", OFF if coil_words.startswith(state.ON) else "warning")
 
 
 def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
@@ -311,9 +312,13 @@ def platform_said(words: str) -> str:
 
 
 def platform_drawn(words: str, coil_words: str = "") -> tuple[str, str]:
-    """As `platform_mark`, which is the rule; an angle that is not fresh is drawn grey, as every other value."""
-    turned = words.startswith("platform turns") and ", read " in words
-    return ("◌", "old") if turned else platform_mark(words, coil_words)
+    """As `platform_mark`, which is the rule; an angle that is not fresh is drawn grey, as every other value.
+
+    One that turns is drawn in the red of "Hands off": amber would be that hands may go in.
+    """
+    if not words.startswith("platform turns"):
+        return platform_mark(words, coil_words)
+    return ("◌", "old") if ", read " in words else ("●", OFF)
 
 
 def still_live(now: LabNow) -> str:

@@ -45,6 +45,9 @@ def format_duration(seconds: float) -> str:
     return f"{hours}:{minutes:02}:{rest:02}" if hours else f"{minutes:02}:{rest:02}"
 
 
+CLOCK_S = 60.0  # to which a time on the wall is said
+
+
 def clock_time(now: datetime, in_s: float) -> str:
     """The time on the wall in so many seconds, to the minute: 07:42, and with its day where that is another."""
     then = now + timedelta(seconds=in_s)

@@ -24,7 +24,6 @@ from labcal.gui.ipc.messages import (
     Stop,
     Word,
 )
-from labcal.gui.ipc.simulated_clock import SPEEDS
 from labcal.gui.ipc.wire import BROKEN, MENDED_FIRST, Fault, with_instrument_names
 from labcal.gui.viewmodels import began
 from labcal.gui.viewmodels.axis_checks import WORST, axis_checks
@@ -37,7 +36,7 @@ from labcal.gui.viewmodels.last_words import last_words
 from labcal.gui.viewmodels.moved import Moved
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.gui.viewmodels.run_steps import Mark, axis_of, in_turn, left_out, marks_of, name_a_turn
+from labcal.gui.viewmodels.run_steps import Mark, axis_of, in_turn, left_out, marks_of, name_a_turn, to_come
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
 from labcal.record.stream import (
@@ -206,9 +205,14 @@ class RunViewModel(QObject):
 
     def wall_s(self, lab_s: float | None) -> float | None:
         """How long that takes by the clock on the wall; None where that cannot be said."""
-        speed = SPEEDS.get(self.order.pace, 0.0) if self.virtual_time and self.order else 1.0
-        speed = self.time.pace.learnt(speed) if self.virtual_time and speed else speed
+        speed = self.time.pace.of(self.order, virtual_time=self.virtual_time)
         return lab_s / speed if lab_s is not None and speed and self.state == "running" else None
+
+    def promised_s(self, what: str, lab_s: float | None) -> float | None:
+        """As `wall_s`, of `what` is to come: once it was said it stands, but for what a person takes."""
+        more_s = self.time.longer_s(to_come(self.names, self.step, what))
+        wall_s = self.wall_s(lab_s and lab_s + more_s)
+        return self.time.promised_s(what, wall_s) if wall_s else wall_s
 
     def _of_it_left(self, seconds: float) -> float | None:
         return self.time.left_s(seconds) if self.alive and self.state != "starting" else None

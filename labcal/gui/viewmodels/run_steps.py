@@ -45,6 +45,19 @@ def axis_of(name: str) -> str:
     return axis[:1] if axis in ("x", "y", "z") or name_a_turn((axis,)) else ""
 
 
+def kind_of(name: str) -> str:
+    """What a step has in common with others of a run: a turn, a mounting, a closure; else it is one of its own."""
+    return "turn" if name_a_turn((name,)) else name.partition("-")[0] if axis_of(name) else name
+
+
+def to_come(names: Sequence[str], step: Step | None, until: str) -> Sequence[str]:
+    """The step that goes on and those after it, to the end or `until` another one."""
+    if step is None or step.name not in names:
+        return ()
+    rest = names[names.index(step.name) :]
+    return rest[: rest.index(until)] if until in rest else rest
+
+
 def axes_of(names: Iterable[str]) -> list[str]:
     """The body axes that steps or segments are about; all where none says so."""
     about = set(map(axis_of, names))

@@ -3,8 +3,13 @@
 from __future__ import annotations
 
 import time
+from collections import defaultdict
+from collections.abc import Iterable
+from statistics import fmean
 
 from labcal.gui.viewmodels.pace import Pace
+from labcal.gui.viewmodels.promised import Promised
+from labcal.gui.viewmodels.run_steps import kind_of
 from labcal.record.stream import Step
 
 
@@ -14,9 +19,11 @@ class RunTime:
     def __init__(self) -> None:
         self.seen_s = 0.0
         self.pace = Pace()
+        self._promised = defaultdict[str, Promised](Promised)  # by what is to come
         self._step: Step | None = None
         self._waited_s = 0.0  # of this step, for a person
         self._waits_since_s: float | None = None
+        self._longer_s = defaultdict[str, list[float]](list)  # by kind of step
         self.failed = False  # this step: until it is tried again nothing counts down
 
     def see(self, t_s: float) -> None:
@@ -26,7 +33,10 @@ class RunTime:
             self.pace.see(self.seen_s, time.monotonic())
 
     def begin(self, step: Step) -> None:
-        """Another step, or the same anew."""
+        """Another step, or the same anew: how much longer than its plan the one before took, those like it will."""
+        before, took_s = self._step, step.t_s - (self._step.t_s if self._step else 0.0) - self._waited_s
+        if before is not None and before.step_s and step.number == before.number + 1 and not self.failed:
+            self._longer_s[kind_of(before.name)].append(took_s - before.step_s)
         self._step, self._waited_s, self._waits_since_s = step, 0.0, None
         self.failed = False
 
@@ -45,6 +55,8 @@ class RunTime:
     def waits(self, since_s: float) -> None:
         """For a person, from now on."""
         self.pace.waits()
+        for one in self._promised.values():
+            one.waits(time.monotonic())
         if self._waits_since_s is None:
             self._waits_since_s = since_s
 
@@ -53,6 +65,12 @@ class RunTime:
         if self._waits_since_s is not None:
             self._waited_s += t_s - self._waits_since_s
             self._waits_since_s = None
+            for one in self._promised.values():
+                one.goes_on(time.monotonic())
+
+    def promised_s(self, what: str, in_s: float) -> float:
+        """In how long it comes by the clock on the wall, which is `in_s` by what is known now, as it was promised."""
+        return self._promised[what].in_s(time.monotonic(), in_s)
 
     def left_s(self, at_its_begin_s: float) -> float:
         """What is left now of so much at the begin of the step."""
@@ -60,6 +78,11 @@ class RunTime:
             return at_its_begin_s
         now_s = self.seen_s if self._waits_since_s is None else self._waits_since_s
         return max(0.0, at_its_begin_s - max(0.0, now_s - self._step.t_s - self._waited_s))
+
+    def longer_s(self, names: Iterable[str]) -> float:
+        """How much longer than their plan these steps will take, by those like them that are over."""
+        seen = (self._longer_s.get(kind_of(name)) for name in names)
+        return sum(fmean(one) for one in seen if one)
 
     def share(self) -> float | None:
         """Of the lab time of the whole, 0 to 1, what is over; None where that is stated by no plan."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from labcal.bench.coils.at_zero import ORDERED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.back_again import BackAgain
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import platform_said
@@ -35,6 +36,7 @@ class SaidNoMore:
 
     def __init__(self, lab: LabViewModel, run: RunViewModel) -> None:
         self._lab, self._run = lab, run
+        self.back = BackAgain(lab, run)  # in the lists, where the next word does not replace it
         self._lost, self._times = set[str](), LostSince()
         self._since = dict[str, str]()
         self._was_out = dict[str, str]()  # by who was lost and is back: when it was last, in words
@@ -44,6 +46,7 @@ class SaidNoMore:
 
         Where the line names one that was lost and is not any more, it says that.
         """
+        self.back.look()
         message, now = self._lab.state.message, self._lab.state.now
         back, self._lost = sorted(self._lost - set(now.failed)), set(now.failed)
         self._was_out |= {one: self._out(one) for one in back}

@@ -12,9 +12,10 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
+from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.hands import FAILED, READY, RETRY, coming
 from labcal.gui.viewmodels.hands_now import MAY, hands_of
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import OFF, WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
@@ -30,12 +31,13 @@ HANDS_OFF = QT_TRANSLATE_NOOP("Words", "Hands off")
 SIMULATED_S = QT_TRANSLATE_NOOP("Words", "{0} s simulated")
 LIVE = QT_TRANSLATE_NOOP("Words", "HANDS OFF – no answer from {0}; {1}")
 KEEP_OFF = QT_TRANSLATE_NOOP("Words", "HANDS OFF – {0}")
-OFF, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
+KEEP, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", "▲ Hands off")
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
 NEXT = QT_TRANSLATE_NOOP("Words", "the field and the platform come next")
 COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
 STOPS = QT_TRANSLATE_NOOP("Words", "stopping")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
+WRONG = "✕ "  # before what keeps hands off and was not planned
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
 
@@ -54,8 +56,35 @@ def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> st
 
 
 def is_alarm(words: str) -> bool:
-    """Whether that is about hands that have to be off for something that is known to be wrong."""
-    return words.startswith((translated(str(LIVE)).partition("{0}")[0], translated(str(KEEP_OFF)).partition("{0}")[0]))
+    """Whether that is about hands that have to be off for something that is on, turns or is known to be wrong."""
+    begins = (translated(str(one)).partition("{0}")[0] for one in (LIVE, KEEP_OFF))
+    return words.removeprefix(WRONG).startswith(tuple(begins))
+
+
+def headline_state(words: str) -> str:
+    """The state of hands that goes with it: off in a turn as it was planned too; "" where it says nothing of hands."""
+    if is_alarm(words):
+        return "bad"
+    return OFF if words.startswith((translated(str(HANDS_OFF)), translated(str(COMES_BACK)))) else ""
+
+
+def is_wrong(run: RunViewModel, now: LabNow) -> bool:
+    """Whether hands have to be off for what nobody planned: else a run does as it was told to."""
+    unasked = now.coil_words.startswith(state.ON) or platform_mark(now.platform_words)[1] == "warning"
+    unasked = unasked and not (run.alive or now.driven_elsewhere)
+    left = now.closed_with or now.earlier_on or (now.left_by and not now.driven_elsewhere)
+    known = alarm_of(now.coil_words) or platform_mark(now.platform_words)[1] == "bad" or now.failed or field_says(now)
+    return bool(unasked or left or known or now.coils_lost or now.platform_lost)
+
+
+def _off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+    """In the same red either way; what is wrong is told from a turn that was planned by its shape, and by its card."""
+    return (WRONG if is_wrong(run, now) else "") + translated(str(KEEP)), "bad"
+
+
+def keep_off_words() -> tuple[str, ...]:
+    """All that the heading may say."""
+    return WRONG + translated(str(KEEP)), translated(str(KEEP)), translated(str(OUT))
 
 
 def at_rest(now: LabNow) -> bool:
@@ -69,16 +98,16 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     promised = run.hands_off and run.state not in ("asking", "paused")  # until anything is asked
     measures = run.alive and (promised or run.segment is not None)
     if still_live(now) or unknown or measures:
-        return translated(str(OFF)), "bad"
+        return _off(run, now)
     left = now.left_by or now.closed_with
     told = bool(now.coil_words or left or now.coils_lost or now.platform_lost)  # else there is no lab
     known = replace(now, coil_words=state.NOT_READ) if begins(run, now) else now
     mark = hands_of(known)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
-        return translated(str(OFF)), "bad"
+        return _off(run, now)
     unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
     out = unread or asked_out(run, now) or (run.alive and mark not in MAY)
-    return (translated(str(OUT)), "warning") if out else ("", "")
+    return (translated(str(OUT)), OFF) if out else ("", "")
 
 
 def begins(run: RunViewModel, now: LabNow) -> bool:
@@ -140,9 +169,9 @@ def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
         comes = STOPS if run.state == "stopping" else COMES  # nothing comes once the end is ordered
         return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
     if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
-        return translated(str(OUT_NOW)).format(translated(str(BEGINS))), "warning"
+        return translated(str(OUT_NOW)).format(translated(str(BEGINS))), OFF
     if mark in MAY and (out := asked_out(run, now)):
-        return out, "warning"
+        return out, OFF
     return words, mark
 
 
@@ -151,7 +180,7 @@ def _how_it_ended(run: RunViewModel, now: LabNow) -> str:
     shape = {"finished": "✓", STOPPED: "■"}.get(word, "✕")
     ended = f"{shape} {translated(word).capitalize()}"
     if shape == "✕" and not now.driven and alarm_of(now.coil_words):  # graver than who did not answer
-        return translated(str(KEEP_OFF)).format(still_live(now))
+        return WRONG + translated(str(KEEP_OFF)).format(still_live(now))
     lost = now.failed if shape == "✕" else []
     return translated(str(ENDED)).format(ended, ", ".join(lost)) if lost else ended
 
@@ -161,8 +190,8 @@ def _of_who_is_lost(now: LabNow) -> str:
     lost, live = ", ".join(now.failed), still_live(now)
     if not lost:
         sure = alarm_of(now.coil_words) or platform_mark(now.platform_words)[1] == "bad"
-        return translated(str(KEEP_OFF)).format(live) if live and sure else ""
-    return translated(str(LIVE)).format(lost, live) if live else translated(str(SHOWN)).format(lost)
+        return WRONG + translated(str(KEEP_OFF)).format(live) if live and sure else ""
+    return WRONG + translated(str(LIVE)).format(lost, live) if live else translated(str(SHOWN)).format(lost)
 
 
 def _doing(run: RunViewModel, now: LabNow) -> str:

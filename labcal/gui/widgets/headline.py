@@ -1,10 +1,10 @@
-"""What happens now, to be read from the cage: an alarm is red, and no smaller than what stood there before it."""
+"""What happens now, to be read from the cage: an alarm is no smaller than what stood there before it."""
 
 from __future__ import annotations
 
 from PySide6.QtGui import QColor, QPalette
 
-from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.theming.theme import GRID, Theme, state_ink
 from labcal.gui.widgets.common import AutoSizeLabel
 
 LARGEST_PT = 36
@@ -16,14 +16,14 @@ class RunHeadline(AutoSizeLabel):
 
     def __init__(self, theme: Theme) -> None:
         super().__init__(LARGEST_PT)
-        self._theme, self._alarms = theme, False
+        self._theme, self._state = theme, ""
         self.setAccessibleName(self.tr("What happens now"))
         self._show()
 
-    def say(self, words: str, *, alarms: bool) -> None:
-        """Write `words`."""
-        if alarms is not self._alarms:
-            self._alarms = alarms
+    def say(self, words: str, state: str) -> None:
+        """Write `words`, in the colour of a state of hands; "bad" is an alarm."""
+        if state != self._state:
+            self._state = state
             self._show()
         self.set_text(words)
 
@@ -33,10 +33,9 @@ class RunHeadline(AutoSizeLabel):
         self._show()
 
     def _show(self) -> None:
-        least, most = HIGH if self._alarms else LOW
+        least, most = HIGH if self._state == "bad" else LOW
         self.setMinimumHeight(least)
         self.setMaximumHeight(most)
         palette = self.palette()
-        ink = self._theme.bad if self._alarms else self._theme.text
-        palette.setColor(QPalette.ColorRole.WindowText, QColor(ink))
+        palette.setColor(QPalette.ColorRole.WindowText, QColor(state_ink(self._theme, self._state)))
         self.setPalette(palette)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtGui import QColor, QPalette
 
-from labcal.gui.theming.theme import GRID, Theme
+from labcal.gui.theming.theme import GRID, Theme, state_ink
 from labcal.gui.widgets.common import AutoSizeLabel, label, set_state
 
 LEAST_PX = 7 * GRID  # for why hands are kept out, which is read from afar however long the order is
@@ -39,7 +39,7 @@ class OrderLabel(AutoSizeLabel):
     def _write(self) -> None:
         words, state = self._kept
         palette = self.palette()
-        palette.setColor(QPalette.ColorRole.WindowText, QColor(getattr(self._theme, state or "text")))
+        palette.setColor(QPalette.ColorRole.WindowText, QColor(state_ink(self._theme, state)))
         self.setPalette(palette)
         self.set_text(words or self._order)
         self.setMinimumHeight(LEAST_PX if words else 0)

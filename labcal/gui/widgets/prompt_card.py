@@ -21,7 +21,7 @@ from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below
 from labcal.gui.viewmodels.first_thing import first_thing
 from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, coming, reached_into
 from labcal.gui.viewmodels.hands_now import MAY, hands_of
-from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_drawn
+from labcal.gui.viewmodels.lab_now import OFF, LabNow, age_words, as_watched, mark_of, platform_drawn
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
@@ -215,7 +215,7 @@ class PromptCard(UncutCard):
             place.setVisible(bool(words))
             set_state(place, mark)
         words, mark = hands_of(now)
-        words, mark = (out, "warning") if out and mark in MAY else (words, mark)
+        words, mark = (out, OFF) if out and mark in MAY else (words, mark)
         self.hands.setText(words)
         set_state(self.hands, mark)
         self._first = first_thing(now)
