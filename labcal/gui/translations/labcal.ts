@@ -406,6 +406,21 @@
     </message>
 </context>
 <context>
+    <name>CausesTable</name>
+    <message>
+        <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations, the newest first</source>
@@ -6279,10 +6294,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click to sort by this column, again to turn the order round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6617,10 +6628,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>2  What could cause it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6629,27 +6636,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ {0}: named</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>? {0}: a rival</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>– {0}: not named</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Added to it: {0}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Candidates; choose one to see what it alone would change</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose one to see what it alone would change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6681,15 +6668,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rms beside declared errors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No cause was searched for: 4 says why.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>3  What it changes</source>
+        <source>3  What could cause it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beside declared errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  What it changes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6741,7 +6732,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>3  With {0}</source>
+        <source>2  With {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7753,6 +7748,21 @@ after this step …</source>
     </message>
     <message>
         <source>Signed by {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>SortedTable</name>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a table: its order turned round</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9214,6 +9224,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>with declared errors; noise alone {0} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9894,11 +9908,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
+        <source>U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is made of: docs/certificate.md</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9967,6 +9989,46 @@ after this step …</source>
     </message>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes off  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no evidence</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

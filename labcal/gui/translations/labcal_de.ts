@@ -406,6 +406,21 @@
     </message>
 </context>
 <context>
+    <name>CausesTable</name>
+    <message>
+        <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
+        <translation>Von der zurückgehaltenen rms neben angegebenen Fehlern, durch sie allein; –: nicht ausgerechnet</translation>
+    </message>
+    <message>
+        <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
+        <translation>Ob es für eine Benennung genügt; –: sie ist aus einem anderen Grund nicht benannt</translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation>Kandidaten; einen wählen zeigt, was er allein ändern würde</translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations, the newest first</source>
@@ -6279,10 +6294,6 @@
         <translation>Zwei Messungen wählen (Strg und ein Klick): ihre Kennwerte, Reste und Ortskurven</translation>
     </message>
     <message>
-        <source>Click to sort by this column, again to turn the order round</source>
-        <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
-    </message>
-    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation>Keine solche Messung. Eine Messung der Seite Messen oder ein importiertes Bündel erscheint hier.</translation>
     </message>
@@ -6634,28 +6645,28 @@ diesem Schritt …</translation>
         <translation>Band: das Rauschen einer Achse einer Zeile</translation>
     </message>
     <message>
-        <source>2  What could cause it</source>
-        <translation>2  Mögliche Ursachen</translation>
+        <source>3  What could cause it</source>
+        <translation>3  Mögliche Ursachen</translation>
     </message>
     <message>
-        <source>Rms beside declared errors</source>
-        <translation>Rms neben angegebenen Fehlern</translation>
+        <source>beside declared errors</source>
+        <translation>neben angegebenen Fehlern</translation>
     </message>
     <message>
-        <source>Candidates; choose one to see what it alone would change</source>
-        <translation>Kandidaten; einen wählen zeigt, was er allein ändern würde</translation>
+        <source>2  What it changes</source>
+        <translation>2  Was es ändert</translation>
     </message>
     <message>
-        <source>Choose one to see what it alone would change</source>
-        <translation>Einen wählen zeigt, was er allein ändern würde</translation>
+        <source>2  With {0}</source>
+        <translation>2  Mit {0}</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change.</source>
+        <translation>Eine wählen zeigt, was sie allein ändern würde.</translation>
     </message>
     <message>
         <source>No cause was searched for: 4 says why.</source>
         <translation>Nach keiner Ursache wurde gesucht: 4 sagt, warum.</translation>
-    </message>
-    <message>
-        <source>3  What it changes</source>
-        <translation>3  Was es ändert</translation>
     </message>
     <message>
         <source>What the residual is drawn against; the named cause first</source>
@@ -6702,18 +6713,6 @@ diesem Schritt …</translation>
         <translation>oder {0}</translation>
     </message>
     <message>
-        <source>✓ {0}: named</source>
-        <translation>✓ {0}: benannt</translation>
-    </message>
-    <message>
-        <source>? {0}: a rival</source>
-        <translation>? {0}: ein Rivale</translation>
-    </message>
-    <message>
-        <source>– {0}: not named</source>
-        <translation>– {0}: nicht benannt</translation>
-    </message>
-    <message>
         <source>Added to it: {0}.</source>
         <translation>Hinzugefügt: {0}.</translation>
     </message>
@@ -6740,10 +6739,6 @@ diesem Schritt …</translation>
     <message>
         <source>Measure what is missing</source>
         <translation>Messen, was fehlt</translation>
-    </message>
-    <message>
-        <source>3  With {0}</source>
-        <translation>3  Mit {0}</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -7755,6 +7750,21 @@ diesem Schritt …</translation>
     <message>
         <source>Signed by {0}.</source>
         <translation>Signiert von {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>SortedTable</name>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column beside</source>
+        <translation>in einer Tabelle: nach der Spalte daneben sortiert</translation>
+    </message>
+    <message>
+        <source>in a table: its order turned round</source>
+        <translation>in einer Tabelle: ihre Reihenfolge umgekehrt</translation>
     </message>
 </context>
 <context>
@@ -9215,6 +9225,10 @@ diesem Schritt …</translation>
         <translation>Diese Messung bestimmt die Abbildung nicht ganz: zu wenige Achsen oder Felder wurden gemessen, deshalb wurde nach keiner Ursache gesucht. Gegen den Prüfling sagt das nichts. Was zu messen ist, steht bei 4.</translation>
     </message>
     <message>
+        <source>with declared errors; noise alone {0} nT</source>
+        <translation>mit angegebenen Fehlern; Rauschen allein {0} nT</translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
     </message>
@@ -9895,12 +9909,20 @@ diesem Schritt …</translation>
         <translation>Nach der Methode {0}. Nullpunkt: was der Sensor ohne Feld anzeigt; der Offset k von b = K m − k steht unter Abbildung.</translation>
     </message>
     <message>
-        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
-        <translation>U einer Komponente des Feldes ist bis zu {0} nT (k = 2), davon {1} % durch: {2} (docs/certificate.md)</translation>
+        <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
+        <translation>U einer Feldkomponente: bis zu {0} nT (k = 2), {1} % davon aus {2}.</translation>
     </message>
     <message>
-        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
-        <translation>Das meiste von U einer Feldkomponente, {0} von {1} nT (k = 2), ist die Montage: Die Messung gibt sie auf {2}° genau an (u_mounting_deg). Kleiner wird es, wenn genauer montiert und das angegeben wird: docs/certificate.md</translation>
+        <source>U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°.</source>
+        <translation>U einer Feldkomponente: {1} nT (k = 2), {0} nT davon aus der Montage, die auf {2}° genau angegeben ist.</translation>
+    </message>
+    <message>
+        <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
+        <translation>Kleiner wird es, wenn genauer montiert und das angegeben wird (u_mounting_deg): docs/certificate.md</translation>
+    </message>
+    <message>
+        <source>What it is made of: docs/certificate.md</source>
+        <translation>Woraus es besteht: docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>
@@ -9969,6 +9991,46 @@ diesem Schritt …</translation>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation>Sie sind von zwei Prüflingen: Offsets und Skalenfaktoren sind keine Änderung von einem und stehen in keiner Tabelle. Reste und Ortskurven von beiden sind unten gezeichnet.</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>takes off  nT</source>
+        <translation>nimmt weg  nT</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>Evidenz</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation>✓ benannt</translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation>? Rivale</translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation>– nicht benannt</translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation>genug</translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation>zu wenig</translation>
+    </message>
+    <message>
+        <source>no evidence</source>
+        <translation>keine Evidenz</translation>
     </message>
 </context>
 <context>

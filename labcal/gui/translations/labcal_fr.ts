@@ -406,6 +406,21 @@
     </message>
 </context>
 <context>
+    <name>CausesTable</name>
+    <message>
+        <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
+        <translation>Du rms mis de côté, à part les erreurs déclarées, par elle seule ; – : non calculé</translation>
+    </message>
+    <message>
+        <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
+        <translation>Si cela suffit pour la nommer ; – : c&apos;est pour une autre raison qu&apos;elle ne l&apos;est pas</translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+    </message>
+</context>
+<context>
     <name>CertificatePage</name>
     <message>
         <source>Calibrations, the newest first</source>
@@ -6279,10 +6294,6 @@
         <translation>Choisir deux mesures (Ctrl et un clic) : leurs valeurs, résidus et lieux</translation>
     </message>
     <message>
-        <source>Click to sort by this column, again to turn the order round</source>
-        <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
-    </message>
-    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation>Aucune telle mesure. Une mesure de la page Mesure, ou un paquet importé, apparaît ici.</translation>
     </message>
@@ -6634,28 +6645,28 @@ cette étape …</translation>
         <translation>Bande : le bruit d’un axe d’une ligne</translation>
     </message>
     <message>
-        <source>2  What could cause it</source>
-        <translation>2  Causes possibles</translation>
+        <source>3  What could cause it</source>
+        <translation>3  Causes possibles</translation>
     </message>
     <message>
-        <source>Rms beside declared errors</source>
-        <translation>Rms à part les erreurs déclarées</translation>
+        <source>beside declared errors</source>
+        <translation>à part les erreurs déclarées</translation>
     </message>
     <message>
-        <source>Candidates; choose one to see what it alone would change</source>
-        <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+        <source>2  What it changes</source>
+        <translation>2  Ce que cela change</translation>
     </message>
     <message>
-        <source>Choose one to see what it alone would change</source>
-        <translation>Choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+        <source>2  With {0}</source>
+        <translation>2  Avec {0}</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change.</source>
+        <translation>Choisissez-en une pour voir ce qu&apos;elle seule changerait.</translation>
     </message>
     <message>
         <source>No cause was searched for: 4 says why.</source>
         <translation>Aucune cause n’a été cherchée : 4 dit pourquoi.</translation>
-    </message>
-    <message>
-        <source>3  What it changes</source>
-        <translation>3  Ce que cela change</translation>
     </message>
     <message>
         <source>What the residual is drawn against; the named cause first</source>
@@ -6702,18 +6713,6 @@ cette étape …</translation>
         <translation>ou {0}</translation>
     </message>
     <message>
-        <source>✓ {0}: named</source>
-        <translation>✓ {0} : nommé</translation>
-    </message>
-    <message>
-        <source>? {0}: a rival</source>
-        <translation>? {0} : un rival</translation>
-    </message>
-    <message>
-        <source>– {0}: not named</source>
-        <translation>– {0} : non nommé</translation>
-    </message>
-    <message>
         <source>Added to it: {0}.</source>
         <translation>Ajouté : {0}.</translation>
     </message>
@@ -6740,10 +6739,6 @@ cette étape …</translation>
     <message>
         <source>Measure what is missing</source>
         <translation>Mesurer ce qui manque</translation>
-    </message>
-    <message>
-        <source>3  With {0}</source>
-        <translation>3  Avec {0}</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -7755,6 +7750,21 @@ cette étape …</translation>
     <message>
         <source>Signed by {0}.</source>
         <translation>Signé par {0}.</translation>
+    </message>
+</context>
+<context>
+    <name>SortedTable</name>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column beside</source>
+        <translation>dans une table : dans l&apos;ordre de la colonne voisine</translation>
+    </message>
+    <message>
+        <source>in a table: its order turned round</source>
+        <translation>dans une table : son ordre inversé</translation>
     </message>
 </context>
 <context>
@@ -9215,6 +9225,10 @@ cette étape …</translation>
         <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
     </message>
     <message>
+        <source>with declared errors; noise alone {0} nT</source>
+        <translation>avec les erreurs déclarées ; bruit seul {0} nT</translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
     </message>
@@ -9895,12 +9909,20 @@ cette étape …</translation>
         <translation>Par la méthode {0}. Lecture à zéro : ce que le capteur indique sans champ ; le décalage k de b = K m − k est sous Transformation.</translation>
     </message>
     <message>
-        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
-        <translation>U d’une composante du champ va jusqu’à {0} nT (k = 2), dont {1} % par : {2} (docs/certificate.md)</translation>
+        <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
+        <translation>U d&apos;une composante du champ : jusqu&apos;à {0} nT (k = 2), dont {1} % de {2}.</translation>
     </message>
     <message>
-        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
-        <translation>L&apos;essentiel de U d&apos;une composante du champ, {0} sur {1} nT (k = 2), est le montage : la mesure le déclare exact à {2}° (u_mounting_deg). Pour le réduire, monter plus exactement et le déclarer : docs/certificate.md</translation>
+        <source>U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°.</source>
+        <translation>U d&apos;une composante du champ : {1} nT (k = 2), dont {0} nT du montage, déclaré exact à {2}°.</translation>
+    </message>
+    <message>
+        <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
+        <translation>Pour le réduire, monter plus exactement et le déclarer (u_mounting_deg) : docs/certificate.md</translation>
+    </message>
+    <message>
+        <source>What it is made of: docs/certificate.md</source>
+        <translation>De quoi il est fait : docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>
@@ -9969,6 +9991,46 @@ cette étape …</translation>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation>Elles sont de deux DUT : leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>cause</translation>
+    </message>
+    <message>
+        <source>takes off  nT</source>
+        <translation>ôte  nT</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>évidence</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>raison</translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation>✓ nommée</translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation>? rivale</translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation>– non nommée</translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation>assez</translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation>trop peu</translation>
+    </message>
+    <message>
+        <source>no evidence</source>
+        <translation>aucune évidence</translation>
     </message>
 </context>
 <context>
