@@ -10,8 +10,8 @@ from labcal.gui.theming.font import PREFERRED, interface_font
 @pytest.mark.parametrize(
     ("system", "there", "family"),
     [
-        ("Sans Serif", ("DejaVu Sans", "Roboto", "Inter"), "Inter"),
-        ("Sans Serif", ("DejaVu Sans", "Roboto"), "Roboto"),
+        ("Sans Serif", ("DejaVu Sans", "Inter Variable", "Inter"), "Inter"),
+        ("Sans Serif", ("DejaVu Sans", "Inter Variable"), "Inter Variable"),
         ("Sans Serif", ("DejaVu Sans",), "Sans Serif"),
         ("Segoe UI", ("Segoe UI", "Inter"), "Segoe UI"),
         ("Noto Sans", PREFERRED, "Noto Sans"),

@@ -43,6 +43,8 @@ def test_what_a_cause_takes_off_says_of_which_error():
     )
 
 
-def test_the_noise_of_a_fit_is_that_of_one_reading_of_the_magnitude():
+def test_the_noise_of_a_fit_is_that_of_one_reading_of_the_magnitude(still):
     for words in (GOOD, DOUBT):
-        assert "stated of |b| in one reading" in str(words)
+        assert "of |b| are left over" in str(words)
+        assert "its noise" in str(words)
+    assert "stated of |b| in one reading" in still.page("Fit").verdict.toolTip()

@@ -7,7 +7,7 @@ from collections.abc import Collection
 from PySide6.QtGui import QFont
 
 NOBODY_CHOSE = ("", "Sans", "Sans Serif", "sans-serif")  # what Qt says on a system without a choice
-PREFERRED = ("Inter", "Roboto")  # in which every page was looked at; higher lines than theirs cut some
+PREFERRED = ("Inter", "Inter Variable")  # lines of others (Noto Sans, Roboto) need more room than some places have
 
 
 def with_tabular_figures(font: QFont) -> QFont:

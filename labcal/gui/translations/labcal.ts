@@ -370,11 +370,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured.</source>
+        <source>No specification was stated for this run.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with.</source>
+        <source>This DUT has no earlier calibration.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7623,7 +7623,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7832,10 +7832,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bench file states no calibration of the reference with a date.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>not stated</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7849,14 +7845,6 @@ after this step …</source>
     </message>
     <message>
         <source>✓ in date</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7904,6 +7892,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The bench file states no date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coil constants only: Check the cage measures the matrix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ not measured</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7913,6 +7909,10 @@ after this step …</source>
     </message>
     <message>
         <source>✓ approved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A matrix without a date: Check the cage says whether it holds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9528,15 +9528,27 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No specification is stated.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9549,14 +9561,6 @@ after this step …</source>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This run states no specification to judge it by.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9912,7 +9916,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°.</source>
+        <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

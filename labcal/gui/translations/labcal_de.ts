@@ -370,12 +370,12 @@
         <translation>Unsicherheit</translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured.</source>
-        <translation>Die Messplatzdatei nannte bei der Messung keine Spezifikation.</translation>
+        <source>No specification was stated for this run.</source>
+        <translation>Für diese Messung war keine Spezifikation angegeben.</translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with.</source>
-        <translation>Es gibt keine frühere Kalibrierung dieses Prüflings zum Vergleichen.</translation>
+        <source>This DUT has no earlier calibration.</source>
+        <translation>Dieser Prüfling hat keine frühere Kalibrierung.</translation>
     </message>
 </context>
 <context>
@@ -7624,8 +7624,8 @@ diesem Schritt …</translation>
         <translation>1  Schlüssel</translation>
     </message>
     <message>
-        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
-        <translation>Name: Buchstaben, Ziffern und . _ @ + - ohne Leerzeichen, wie ada.smith. Kennwort: zehn Zeichen oder mehr, kein gewöhnliches Wort allein, keine Tastenreihe, nicht der Name. Vier Wörter sind leicht zu merken. Es wird hier nie aufbewahrt, und nichts bringt es zurück.</translation>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
+        <translation>Name: Buchstaben, Ziffern und . _ @ + - ohne Leerzeichen, wie ada.smith. Kennwort: zehn Zeichen oder mehr, kein gewöhnliches Wort allein, keine Tastenreihe, kein Name; vier Wörter sind leicht zu merken; nichts bringt es zurück.</translation>
     </message>
     <message>
         <source>Whose key</source>
@@ -7873,10 +7873,6 @@ diesem Schritt …</translation>
         <translation>Kein Messplatz ist offen.</translation>
     </message>
     <message>
-        <source>The bench file states no calibration of the reference with a date.</source>
-        <translation>Die Messplatzdatei nennt keine Kalibrierung der Referenz mit Datum.</translation>
-    </message>
-    <message>
         <source>not stated</source>
         <translation>nicht genannt</translation>
     </message>
@@ -7891,14 +7887,6 @@ diesem Schritt …</translation>
     <message>
         <source>✓ in date</source>
         <translation>✓ gültig</translation>
-    </message>
-    <message>
-        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation>Die Messplatzdatei gibt nur Spulenkonstanten an: „Käfig prüfen“ misst die Matrix.</translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
-        <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
         <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
@@ -7917,12 +7905,24 @@ diesem Schritt …</translation>
         <translation>▲ Eine Messung von {0} kam nicht an ihr Ende: unten weiter, oder neu messen.</translation>
     </message>
     <message>
+        <source>The bench file states no date.</source>
+        <translation>Die Messplatzdatei nennt kein Datum.</translation>
+    </message>
+    <message>
+        <source>Coil constants only: Check the cage measures the matrix.</source>
+        <translation>Nur Spulenkonstanten: „Käfig prüfen“ misst die Matrix.</translation>
+    </message>
+    <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
         <translation>Die Matrix ist die der genehmigten Käfigkalibrierung {0}.</translation>
     </message>
     <message>
         <source>✓ approved</source>
         <translation>✓ genehmigt</translation>
+    </message>
+    <message>
+        <source>A matrix without a date: Check the cage says whether it holds.</source>
+        <translation>Eine Matrix ohne Datum: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -9529,16 +9529,28 @@ diesem Schritt …</translation>
         <translation>Ohne Ergebnis: {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben übrig, nicht mehr als sein Rauschen, {1} nT. Die Richtung beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT.</translation>
+        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
+        <translation>▲ Die Abbildung allein genügt nicht: {0} nT von |b| bleiben übrig, sein Rauschen ist {1} nT.</translation>
+    </message>
+    <message>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
+    </message>
+    <message>
+        <source>No specification is stated.</source>
+        <translation>Es ist keine Spezifikation angegeben.</translation>
     </message>
     <message>
         <source>Trace the residual.</source>
         <translation>Den Rest erklären.</translation>
+    </message>
+    <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
+        <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9551,14 +9563,6 @@ diesem Schritt …</translation>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
         <translation>▲ Diese Messung bestimmt nicht die ganze Abbildung, so wenig auch übrig bleibt: {0}. Sie taugt für eine Prüfung und für keine Kalibrierung.</translation>
-    </message>
-    <message>
-        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
-        <translation>{0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
-    </message>
-    <message>
-        <source>This run states no specification to judge it by.</source>
-        <translation>Dieser Lauf gibt keine Spezifikation an, an der es zu messen wäre.</translation>
     </message>
     <message>
         <source>Opening the simulated lab …</source>
@@ -9913,8 +9917,8 @@ diesem Schritt …</translation>
         <translation>U einer Feldkomponente: bis zu {0} nT (k = 2), {1} % davon aus {2}.</translation>
     </message>
     <message>
-        <source>U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°.</source>
-        <translation>U einer Feldkomponente: {1} nT (k = 2), {0} nT davon aus der Montage, die auf {2}° genau angegeben ist.</translation>
+        <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
+        <translation>U einer Feldkomponente: {0} nT (k = 2), das meiste aus der Montage, die auf {1}° genau angegeben ist.</translation>
     </message>
     <message>
         <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>

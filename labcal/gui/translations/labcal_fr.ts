@@ -370,12 +370,12 @@
         <translation>Incertitude</translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured.</source>
-        <translation>Le fichier du banc ne donnait pas de spécification lors de la mesure.</translation>
+        <source>No specification was stated for this run.</source>
+        <translation>Aucune spécification n&apos;était indiquée pour cette mesure.</translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with.</source>
-        <translation>Il n&apos;y a pas d&apos;étalonnage antérieur de ce DUT pour comparer.</translation>
+        <source>This DUT has no earlier calibration.</source>
+        <translation>Ce DUT n&apos;a pas d&apos;étalonnage antérieur.</translation>
     </message>
 </context>
 <context>
@@ -7624,8 +7624,8 @@ cette étape …</translation>
         <translation>1  Clé</translation>
     </message>
     <message>
-        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
-        <translation>Nom : lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe : dix caractères ou plus, pas un mot courant seul, pas une rangée de touches, pas le nom. Quatre mots se retiennent bien. Elle n&apos;est jamais gardée ici, et rien ne la ramène.</translation>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
+        <translation>Nom : lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe : dix caractères ou plus, ni mot courant seul, ni rangée de touches, ni nom ; quatre mots se retiennent bien ; rien ne la ramène.</translation>
     </message>
     <message>
         <source>Whose key</source>
@@ -7873,10 +7873,6 @@ cette étape …</translation>
         <translation>Aucun banc n&apos;est ouvert.</translation>
     </message>
     <message>
-        <source>The bench file states no calibration of the reference with a date.</source>
-        <translation>Le fichier du banc n&apos;indique aucun étalonnage daté de la référence.</translation>
-    </message>
-    <message>
         <source>not stated</source>
         <translation>non indiqué</translation>
     </message>
@@ -7891,14 +7887,6 @@ cette étape …</translation>
     <message>
         <source>✓ in date</source>
         <translation>✓ à jour</translation>
-    </message>
-    <message>
-        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation>Le fichier du banc n&apos;indique que des constantes de bobines : « Vérifier la cage » mesure la matrice.</translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
-        <translation>Le fichier du banc indique une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
         <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
@@ -7917,12 +7905,24 @@ cette étape …</translation>
         <translation>▲ Une mesure de {0} n&apos;est pas allée à son terme : la continuer ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
+        <source>The bench file states no date.</source>
+        <translation>Le fichier du banc n&apos;indique aucune date.</translation>
+    </message>
+    <message>
+        <source>Coil constants only: Check the cage measures the matrix.</source>
+        <translation>Des constantes de bobines seulement : « Vérifier la cage » mesure la matrice.</translation>
+    </message>
+    <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
         <translation>La matrice est celle de l&apos;étalonnage approuvé {0}.</translation>
     </message>
     <message>
         <source>✓ approved</source>
         <translation>✓ approuvée</translation>
+    </message>
+    <message>
+        <source>A matrix without a date: Check the cage says whether it holds.</source>
+        <translation>Une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -9529,16 +9529,28 @@ cette étape …</translation>
         <translation>Sans résultat : {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré de |b| d&apos;une lecture, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b|, pas plus que son bruit, {1} nT. La page Causes juge la direction.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
-        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT.</translation>
+        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
+        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT de |b|, son bruit est de {1} nT.</translation>
+    </message>
+    <message>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+    </message>
+    <message>
+        <source>No specification is stated.</source>
+        <translation>Aucune spécification n&apos;est indiquée.</translation>
     </message>
     <message>
         <source>Trace the residual.</source>
         <translation>Expliquer le résidu.</translation>
+    </message>
+    <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
+        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9551,14 +9563,6 @@ cette étape …</translation>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
         <translation>▲ Cette mesure ne détermine pas toute l’application, si peu qu’il reste : {0}. Elle vaut pour une vérification, et pour aucun étalonnage.</translation>
-    </message>
-    <message>
-        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT de |b| dans les lignes mises de côté ; aucun bruit n&apos;est déclaré pour comparer.</translation>
-    </message>
-    <message>
-        <source>This run states no specification to judge it by.</source>
-        <translation>Cette mesure n&apos;indique aucune spécification pour en juger.</translation>
     </message>
     <message>
         <source>Opening the simulated lab …</source>
@@ -9913,8 +9917,8 @@ cette étape …</translation>
         <translation>U d&apos;une composante du champ : jusqu&apos;à {0} nT (k = 2), dont {1} % de {2}.</translation>
     </message>
     <message>
-        <source>U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°.</source>
-        <translation>U d&apos;une composante du champ : {1} nT (k = 2), dont {0} nT du montage, déclaré exact à {2}°.</translation>
+        <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
+        <translation>U d&apos;une composante du champ : {0} nT (k = 2), surtout du montage, déclaré exact à {1}°.</translation>
     </message>
     <message>
         <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>

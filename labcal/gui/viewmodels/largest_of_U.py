@@ -16,7 +16,7 @@ OF_THE_FIELD = "b "  # as lines of a budget begin: a component of the field of o
 MOUNTING = "rotation axes in the body"  # how the DUT stands on the platform
 LARGEST = QT_TRANSLATE_NOOP("Words", "U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.")
 MOUNTED = QT_TRANSLATE_NOOP(
-    "Words", "U of one component of the field: {1} nT (k = 2), {0} nT of it from the mounting, declared good to {2}°."
+    "Words", "U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°."
 )
 LOWERED = QT_TRANSLATE_NOOP(
     "Words", "To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md"
@@ -34,8 +34,8 @@ def largest_of_U(one: CalibrationFile | None) -> str:
     if (at := _by_mounting(worst)) is not None:
         part = math.sqrt(share) * worst.U
         declared = math.degrees(part / worst.k / (1e3 * at))  # a turn by so much moves so much of the field
-        figures = (format_number(one, 0, signed=False) for one in (part, worst.U))
-        return translated(str(MOUNTED)).format(*figures, format_number(declared, 1, signed=False))
+        U = format_number(worst.U, 0, signed=False)
+        return translated(str(MOUNTED)).format(U, format_number(declared, 1, signed=False))
     words = name_in_words(source)
     words = translated(str(DECLARED)).format(words) if source.startswith(MOUNTING) else words
     U = format_number(worst.U, 0, signed=False)
