@@ -219,7 +219,7 @@ class StartPage(QWidget):
             return self._say("reference", self.tr("not known"), self.tr("No bench is open."))
         dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
         if dated is None:
-            words = self.tr("The bench file states no date.")
+            words = self.tr("The bench file states no calibration date.")
             return self._say("reference", self.tr("not stated"), words)
         days = (datetime.now(UTC).date() - date.fromisoformat(dated.group())).days
         words = self.tr("Calibrated {0}, {1} days ago.").format(dated.group(), days)

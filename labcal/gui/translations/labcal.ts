@@ -7832,6 +7832,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The bench file states no calibration date.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>not stated</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7889,10 +7893,6 @@ after this step …</source>
     </message>
     <message>
         <source>No bench is open.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The bench file states no date.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -7873,6 +7873,10 @@ diesem Schritt …</translation>
         <translation>Kein Messplatz ist offen.</translation>
     </message>
     <message>
+        <source>The bench file states no calibration date.</source>
+        <translation>Die Messplatzdatei nennt kein Kalibrierdatum.</translation>
+    </message>
+    <message>
         <source>not stated</source>
         <translation>nicht genannt</translation>
     </message>
@@ -7903,10 +7907,6 @@ diesem Schritt …</translation>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
         <translation>▲ Eine Messung von {0} kam nicht an ihr Ende: unten weiter, oder neu messen.</translation>
-    </message>
-    <message>
-        <source>The bench file states no date.</source>
-        <translation>Die Messplatzdatei nennt kein Datum.</translation>
     </message>
     <message>
         <source>Coil constants only: Check the cage measures the matrix.</source>

@@ -7873,6 +7873,10 @@ cette étape …</translation>
         <translation>Aucun banc n&apos;est ouvert.</translation>
     </message>
     <message>
+        <source>The bench file states no calibration date.</source>
+        <translation>Le fichier du banc n&apos;indique aucune date d&apos;étalonnage.</translation>
+    </message>
+    <message>
         <source>not stated</source>
         <translation>non indiqué</translation>
     </message>
@@ -7903,10 +7907,6 @@ cette étape …</translation>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
         <translation>▲ Une mesure de {0} n&apos;est pas allée à son terme : la continuer ci-dessous, ou mesurer de nouveau.</translation>
-    </message>
-    <message>
-        <source>The bench file states no date.</source>
-        <translation>Le fichier du banc n&apos;indique aucune date.</translation>
     </message>
     <message>
         <source>Coil constants only: Check the cage measures the matrix.</source>
