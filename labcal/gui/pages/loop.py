@@ -108,7 +108,7 @@ class LoopPage(QWidget):
         self.fold = button(self.tr("In figures"), self.tr("The loop's own words: held-out rms, tests, rows set aside"))
         self.fold.setCheckable(True)
         self.fold.toggled.connect(self.summary.setVisible)
-        self.before_after, self.noise = label("", "large"), label()
+        self.before_after, self.noise = label("", "large"), label("", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
         self.most_of_U = shrinkable(label("", wrap=True))
