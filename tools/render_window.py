@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtGui import QColor, QFontDatabase, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 if TYPE_CHECKING:
@@ -220,6 +220,8 @@ class Studio:
 
 def main() -> None:
     """Render what is asked for."""
+    from labcal.gui.theming.font import interface_font
+
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--home", type=Path, help="where the rendered lab lives (default: a temporary folder)")
     parser.add_argument("--only", default="", help=f"some of {','.join(NAMES)}")
@@ -230,6 +232,7 @@ def main() -> None:
     given.out.mkdir(parents=True, exist_ok=True)
     os.environ["LABCAL_HOME"] = str(home)
     application = QApplication(sys.argv[:1])
+    application.setFont(interface_font(application.font(), QFontDatabase.families()))
     studio = Studio(home, given.out, tuple(name for name in given.only.split(",") if name), given.pace)
     render(studio)
     studio.window.close()

@@ -41,11 +41,13 @@ def main() -> int:
         print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {needed}", file=sys.stderr)
         return 2
     from PySide6.QtCore import QLocale, QTimer
+    from PySide6.QtGui import QFontDatabase
 
     from labcal.gui.once import keep_picture
     from labcal.gui.one_window import OneWindow, to_front
     from labcal.gui.reopened import Shown
     from labcal.gui.standing import Standing, come_back
+    from labcal.gui.theming.font import interface_font
     from labcal.gui.translations.translate import install_translator
     from labcal.gui.viewmodels.one_dut import KEPT
     from labcal.gui.viewmodels.window_settings import window_settings
@@ -53,6 +55,7 @@ def main() -> int:
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")
+    application.setFont(interface_font(application.font(), QFontDatabase.families()))
     garbage = QTimer(application)
     garbage.timeout.connect(collect_if_due)
     garbage.start(GARBAGE_MS)

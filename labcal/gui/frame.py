@@ -223,6 +223,11 @@ class Frame(QMainWindow):
         self._scale = scale
         self._give_room()
 
+    def hold_minimum(self, held: bool) -> None:
+        """Whether it is no smaller than its texts need. While these are to shrink with it, it may be any size."""
+        QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)  # what they needed before is past
+        self.setMinimumSize(*((0, 0) if held else (1, 1)))  # (0, 0): what is in it says how small
+
     def _give_room(self) -> None:
         """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
         narrow = self.width() < NARROW_PX * self._scale

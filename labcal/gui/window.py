@@ -243,11 +243,13 @@ class Window(Frame):
             keys.setStyleSheet(sheet)
             keys.fit_into(self.size())
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
+        self.hold_minimum(False)
         for part in (self.top, self.side, self.sidebar, self.bottom, *self.cards, self.lock_screen):
             self._style(part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()
             self._style(lazy_page, lazy_page.styled_widgets(), sheet, updates)
+        self.style_queue.put("minimum", lambda: self.hold_minimum(self._scale == 1.0))
 
     def _style(
         self, part: QWidget, wanted: Iterable[QWidget], sheet: str, theme_updates: Iterable[Callable[[], object]] = ()

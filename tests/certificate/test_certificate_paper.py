@@ -13,10 +13,10 @@ import pytest
 from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey
 
 from labcal.certificate import Signer, calibration_bytes, sign, verify
-from labcal.certificate.report import Circumstances, Page, archival_pdf, calibration_page, write_report
+from labcal.certificate.report import Circumstances, archival_pdf, calibration_page, write_report
 from labcal.certificate.report.front import images_in
 from labcal.certificate.report.html import html
-from labcal.certificate.report.page import Section, Table
+from labcal.certificate.report.page import Facts, Front, Page, Prose, Section, Table
 from labcal.certificate.report.style import with_uncertainty
 from labcal.errors import InputError
 from labcal.model import AffineMap, Calibration, EffectRecord, Parameter
@@ -339,6 +339,24 @@ def test_the_pdf_is_archival_and_holds_what_was_signed(
         assert f"page {number} of {len(sheets)}" in sheet
         assert "FL-CAGE-2026-0007" in sheet
         assert "".join(sheet.split()).count("SIMULATED") >= 2  # in the margin, and across the sheet
+
+
+def test_a_last_group_that_fits_with_smaller_gaps_has_no_sheet_of_its_own(printed: SimpleNamespace):
+    pdfium = pytest.importorskip("pypdfium2")
+    typesetter, out = archival_pdf.typesetter(), printed.folder / "gaps.pdf"
+
+    def page(groups: int) -> Page:
+        each = tuple(Section(f"Group {n}", (Prose(("One.", "Two.")),)) for n in range(groups))
+        return Page("Certificate", "FM-07", "", False, Facts(()), each, front=Front("1", "foot", ""))
+
+    def loose(one: Page) -> int:
+        return len(typesetter.HTML(string=html(one)).render().pages)
+
+    first = next(groups for groups in range(4, 40) if loose(page(groups)) > 1)
+    write_report(page(first), out)
+    assert len(pdfium.PdfDocument(out)) == 1
+    write_report(page(2 * first), out)
+    assert len(pdfium.PdfDocument(out)) == 2
 
 
 def _fonts(pdf: object) -> list[object]:

@@ -16,6 +16,7 @@ from labcal.certificate.report.calibration import name_of
 from labcal.certificate.report.derived import sensor_figures
 from labcal.certificate.report.figures import coverage
 from labcal.certificate.report.html import html
+from labcal.certificate.report.page import Facts, Page, Plot, Prose, Section
 from labcal.certificate.report.style import decimals_for, number
 from labcal.cli import execute
 from labcal.errors import InputError
@@ -139,6 +140,24 @@ def test_a_run_is_set_on_sheets_with_its_figures(run: Run, tmp_path: Path):
     page = run_page(run, "ab" * 32, Fit("ml", True, affine=AffineMap(np.eye(3), np.full(3, 100.0))))
     write_report(page, tmp_path / "run.pdf")
     assert len((tmp_path / "run.pdf").read_bytes()) > 20_000
+
+
+def sheets_of(path: Path) -> int:
+    return len(re.findall(rb"/Type /Page\b", path.read_bytes()))
+
+
+def test_the_last_group_has_no_sheet_of_its_own_where_lower_figures_make_room(tmp_path: Path):
+    """Two figures, and a group that is a few lines too long for the first sheet; as many lines more have one."""
+
+    def written(lines: int) -> int:
+        figure = Plot(lambda figure: figure.subplots(), 4.0, "A figure.")
+        last = Section("What is not covered", (Prose(("Its temperature.",) * lines),))
+        page = Page("Run", "demo-0", "", False, Facts(()), (Section("Figures", (figure, figure)), last))
+        write_report(page, tmp_path / "page.pdf")
+        return sheets_of(tmp_path / "page.pdf")
+
+    assert written(6) == 1
+    assert written(40) == 2
 
 
 def test_an_ending_that_is_no_report_is_refused(run: Run, tmp_path: Path):

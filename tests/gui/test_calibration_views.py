@@ -11,7 +11,7 @@ from labcal.gui.ipc.messages import ListCalibrations
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS, cause_rows, map_rows, short_rows
 from labcal.gui.viewmodels.conformity import CHANGES, SPECIFICATION, change_rows, specification_rows, verdict
-from labcal.gui.viewmodels.largest_of_U import largest_of_U
+from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
 from labcal.gui.widgets.calibration_views import BUDGET, CAUSES, CHANGED, MAP, SPECIFIED, CalibrationViews
 from labcal.gui.widgets.measurement_table import Table
 from labcal.record import Dut
@@ -174,14 +174,18 @@ def test_one_line_says_what_makes_most_of_U():
     """27 nT on the Loop page, and U = 870 nT on the certificate, said nothing of each other."""
     words = largest_of_U(replace(SHORT, budget=(NOISY, MOUNTED)))
     assert words == (
-        "Most of U of one component of the field, 860 of 874 nT (k = 2), is the mounting: the run declares it good to "
-        "0.5° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md"
+        "U of one component of the field: 874 nT (k = 2), mostly from the mounting, declared good to 0.5°."
+    )
+    assert how_to_lower_U(replace(SHORT, budget=(NOISY, MOUNTED))) == (
+        "To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md"
     )
     shared = replace(MOUNTED, sources=(("rotation axes in the body about z", 0.4), ("noise of one reading", 0.3)))
     assert largest_of_U(replace(SHORT, budget=(shared,))) == (
-        "U of one component of the field is up to 874 nT (k = 2), 40 % of it from the declared mounting "
-        "(rotation axes in the body about z): docs/certificate.md"
+        "U of one component of the field: up to 874 nT (k = 2), 40 % of it from the declared mounting "
+        "(rotation axes in the body about z)."
     )
+    assert "declare" not in how_to_lower_U(replace(SHORT, budget=(shared,)))
+    assert how_to_lower_U(None) == ""
     assert largest_of_U(replace(SHORT, budget=())) == largest_of_U(None) == ""
 
 
@@ -199,5 +203,6 @@ def test_the_loop_page_says_it_too(still):
     app_state.study_vm.forget("r1")
     app_state.path.take_calibrations((replace(SHORT, run_id="r1", budget=(MOUNTED,)),))
     assert page.most_of_U.text() == largest_of_U(replace(SHORT, budget=(MOUNTED,)))
+    assert "u_mounting_deg" in page.most_of_U.toolTip()
     app_state.path.take_calibrations(())
     assert page.most_of_U.isHidden()

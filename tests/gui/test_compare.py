@@ -2,12 +2,14 @@
 
 import re
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QApplication, QFileDialog
 from test_calibration_views import FOUND, calibration
 from test_path import RUN
@@ -256,3 +258,23 @@ def test_the_band_is_the_noise_that_the_verdict_of_fit_goes_by_on_both_pages_and
 def test_the_noise_of_a_side_is_stated_by_its_run_where_it_states_one():
     run = SimpleNamespace(dut=SimpleNamespace(noise_nT=3.0), reference=SimpleNamespace(noise_nT=4.0))
     assert compare_commands.stated_noise(run) == 5.0
+
+
+def written_below(trend):
+    """What stands at the ticks of the time axis."""
+    axis, image = trend.plot.getPlotItem().getAxis("bottom"), QImage(900, 60, QImage.Format.Format_RGB32)
+    trend.grab()
+    with QPainter(image) as painter:
+        return [text for _, _, text in axis.generateDrawSpecs(painter)[2]]
+
+
+def test_calibrations_of_one_day_stand_above_its_date_and_not_among_hours(qtbot):
+    files = [replace(calibration(), figures=tuple(Figure("offset", f"offset {a}", 1.0, 8.0, "nT") for a in "xyz"))] * 2
+    trend = Trend(LIGHT)
+    qtbot.addWidget(trend)
+    trend.resize(900, 400)
+    noon = datetime(2026, 11, 30, 12).timestamp()
+    for times, days in (([noon, noon + 600], ["2026-11-30"]), ([noon, noon + 9 * 86_400], None)):
+        trend.show_files("S1", files, times)
+        trend.idle_queue.finish()
+        assert written_below(trend) == days if days else len(written_below(trend)) > 1

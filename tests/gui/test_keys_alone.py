@@ -175,7 +175,7 @@ def fitted_and_traced(hands):
     hands.until(lambda: study.loop is not None or study.fault is not None)
     assert study.fault is None
     loop = window.page("Loop")
-    hands.until(lambda: loop.others.count() > 0)
+    hands.until(lambda: loop.others.rowCount() > 0)
     hands.choose(1, loop.others)
     hands.until(lambda: loop.picked() is not None)
     hands.until(lambda: not study.busy)

@@ -90,24 +90,23 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
         (
             11.0,
             10.0,
-            "ml: ✓ The calibration is good in size: 11.0 nT of |b| are left over in held-out rows, "
-            "no more than the noise that is stated of |b| in one reading, 10.0 nT. "
-            "What is left of the direction, the loop judges.",
+            "ml: ✓ The calibration is good in size: 11.0 nT of |b| are left over, no more than its noise, 10.0 nT. "
+            "The loop judges the direction.",
             "good",
         ),
         (
             11.6,
             10.0,
-            "ml: ▲ The map alone is not enough yet, however well it was measured: 11.6 nT of |b| are left over "
-            "in held-out rows, the noise that is stated of |b| in one reading is 10.0 nT. Trace the residual.",
+            "ml: ▲ The map alone is not enough: 11.6 nT of |b| are left over, its noise is 10.0 nT. "
+            "Trace the residual.",
             "warning",
         ),
-        (11.0, None, "ml: 11.0 nT of |b| are left over in held-out rows; no noise is stated to compare it with.", ""),
+        (11.0, None, "ml: 11.0 nT of |b| are left over; no noise is stated to compare it with.", ""),
         (None, 10.0, "", ""),
     ],
 )
 def test_a_fit_says_whether_it_is_good(still, studied, left_nT, stated_nT, words, state):
-    words = words and f"{words} This run states no specification to judge it by."
+    words = words and f"{words} No specification is stated."
     assert said_of("ml", fitted(left_nT, stated_nT)) == (words, state)
     still.open_page("Fit")
     page = still.page("Fit")
@@ -133,7 +132,7 @@ def test_what_was_traced_is_not_to_be_traced_again(still, studied, verdict, next
     studied.fit("ml")
     worker.answer(FitRun, fitted(20.0, 10.0))
     page.idle_queue.finish()
-    assert page.verdict.text().startswith("ml: ▲ The map alone is not enough yet")
+    assert page.verdict.text().startswith("ml: ▲ The map alone is not enough:")
     assert next_words in page.verdict.text()
     assert page.verdict.text().count("Trace") == (0 if verdict else 1)
     assert (page.trace.text(), page.trace.objectName()) == (button, "" if verdict else "primary")

@@ -202,8 +202,8 @@ def test_a_day_without_an_english_word(qtbot, tmp_path, drafted, monkeypatch, mu
         loop = window.page("Loop")
         loop.fold.click()
         look("loop")
-        for row in (0, loop.others.count() - 1):  # one that was looked at is worked out
-            loop.others.setCurrentRow(row)
+        for row in (0, loop.others.rowCount() - 1):  # one that was looked at is worked out
+            loop.others.selectRow(row)
             look("loop")
         wait(lambda: not study.busy)
         window.grab()

@@ -122,20 +122,20 @@ def test_the_loop_tells_its_story_and_leaves_a_draft(qtbot, fitted):
 
 def test_a_cause_that_was_not_named_is_picked_and_its_change_is_drawn(qtbot, traced):
     page, study = traced.page("Loop"), traced.app_state.study_vm
-    qtbot.waitUntil(lambda: page.others.count() > 0, timeout=LONG_MS)
-    rejected = next(n for n in range(page.others.count()) if ": not named" in page.others.item(n).text())
-    name, why = page.others.item(rejected).text().removeprefix("– ").split(": not named\n")
-    page.others.scrollToItem(page.others.item(rejected))
-    place = page.others.visualItemRect(page.others.item(rejected)).center()
+    qtbot.waitUntil(lambda: page.others.rowCount() > 0, timeout=LONG_MS)
+    rejected = next(n for n in range(page.others.rowCount()) if page.others.text(n, 3) == "– not named")
+    name, why = page.others.text(rejected, 0), page.others.text(rejected, 4)
+    page.others.scrollToItem(page.others.item(rejected, 0))
+    place = page.others.visualItemRect(page.others.item(rejected, 0)).center()
     qtbot.mouseClick(page.others.viewport(), Qt.MouseButton.LeftButton, pos=place)
     qtbot.waitUntil(lambda: name in study.causes or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
     assert name in page.change_heading.text()
     assert page.change_words.text().startswith("it alone would leave ")
-    assert page.change_why.text() == page.others.item(rejected).toolTip().split("\n")[1]
+    assert page.change_why.text() == f"{name}: {page.others.item(rejected, 4).toolTip()}"
     assert why
     page.others.clearSelection()
-    assert page.change_heading.text() == "3  What it changes"
+    assert page.change_heading.text() == "2  What it changes"
 
 
 def test_a_fault_unfolds_its_details_and_a_problem_report_holds_them_and_no_key(qtbot, lab, tmp_path, monkeypatch):

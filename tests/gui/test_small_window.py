@@ -5,6 +5,8 @@ from dataclasses import replace
 import pytest
 from PySide6.QtWidgets import QApplication, QToolTip
 from test_a_question_keeps_its_places import asking
+from test_calibration_views import FOUND
+from test_compare import side
 from test_nothing_is_cut import WORST, begun, by_word, settle
 from test_nothing_is_cut import large as large
 from test_nothing_is_cut import sized as sized
@@ -12,6 +14,7 @@ from test_path import RUN
 from test_sixth_walk import STANDS
 
 from labcal.bench.coils.agreement import BEFORE_HANDS
+from labcal.gui.ipc.answers import Comparison
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.widgets.rolled import Rolled
 
@@ -70,6 +73,26 @@ def test_the_verdict_of_a_measurement_is_seen(new_window):
     table = new_window.page("Run").live.table
     assert table.columnViewportPosition(5) + table.columnWidth(5) <= table.viewport().width()
     assert new_window.lazy_pages["Run"].area.horizontalScrollBar().maximum() == 0
+
+
+def test_large_letters_on_a_large_screen_keep_no_window_large(new_window):
+    """Two runs compared, in the largest letters: made small at once, it is as small as it was made, and whole."""
+    new_window.open_page("History")
+    page = new_window.page("History")
+    page.comparison.show_comparison(Comparison(side("r1", "r1.json"), side("r2", "r2.json"), FOUND))
+    page.faces.setCurrentWidget(page.comparison)
+    new_window.toggle_wall()
+    new_window.resize(3840, 2160)
+    settle(new_window)
+    new_window.resize(*SMALL)
+    settle(new_window)
+    assert (new_window.width(), new_window.height()) == SMALL
+    assert new_window.lazy_pages["History"].area.horizontalScrollBar().maximum() == 0
+    new_window.resize(200, 200)
+    settle(new_window)
+    assert new_window.width() >= new_window.minimumSizeHint().width() > 200
+    new_window.resize(*SMALL)
+    new_window.toggle_wall()
 
 
 def test_where_there_is_no_room_for_larger_letters_that_is_said(new_window):

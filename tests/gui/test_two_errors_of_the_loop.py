@@ -27,8 +27,9 @@ def page(still, monkeypatch):
 
 def test_the_figures_at_the_top_say_that_declared_errors_are_in_them(page):
     assert page.before_after.text() == "157.4 → 33.4 nT"
-    assert "with the errors in it that the run declares" in page.noise.text()
-    assert "noise alone, of one such row: 53.7 nT" in page.noise.text()
+    assert page.noise.text() == "with declared errors; noise alone 53.7 nT"
+    assert "with the errors in it that the run declares" in page.noise.toolTip()
+    assert "noise alone, of one such row: 53.7 nT" in page.summary.text()
 
 
 def test_bars_begin_where_what_a_cause_takes_off_begins(page):
@@ -42,6 +43,8 @@ def test_what_a_cause_takes_off_says_of_which_error():
     )
 
 
-def test_the_noise_of_a_fit_is_that_of_one_reading_of_the_magnitude():
+def test_the_noise_of_a_fit_is_that_of_one_reading_of_the_magnitude(still):
     for words in (GOOD, DOUBT):
-        assert "stated of |b| in one reading" in str(words)
+        assert "of |b| are left over" in str(words)
+        assert "its noise" in str(words)
+    assert "stated of |b| in one reading" in still.page("Fit").verdict.toolTip()

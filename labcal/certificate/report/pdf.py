@@ -17,6 +17,7 @@ WIDE, HIGH = 8.27, 11.69  # A4 [in]
 LEFT, TOP, BOTTOM = (WIDE - WIDTH_IN) / 2, 0.75, 0.75  # margins [in]
 POINT = 1 / 72  # [in]
 TONES = {"good": GOOD, "warning": WARNING, "bad": BAD, "plain": MUTED}
+TIGHTER = (1.0, 0.95, 0.9, 0.85, 0.8)  # figures and gaps of their own height, or lower where that saves a sheet
 LETTER = 0.52  # mean width of a letter, of its height; where lines are broken
 
 
@@ -31,25 +32,39 @@ def write_pdf(page: Page, path: Path) -> None:
         "CreationDate": None,
     }
     with plot_style(), PdfPages(path, metadata=metadata) as out:
-        sheets = _Sheets(out, page)
-        _header(sheets, page)
-        for section in page.sections:
-            sheets.need(_together(section.blocks) + 0.5)
-            sheets.space(0.2)
-            sheets.text(section.heading, 11, weight="bold")
-            sheets.rule()
-            for block in section.blocks:
-                _block(sheets, block)
-        sheets.space(0.15)
-        sheets.text(page.footer, 7.5, MUTED)
-        sheets.close()
+        _set(_Sheets(out, page, _tightness(page)), page)
+
+
+def _tightness(page: Page) -> float:
+    """The loosest of `TIGHTER` that needs no more sheets than the tightest: no group stands alone that would fit."""
+    counts = {each: _set(_Sheets(None, page, each), page) for each in TIGHTER}
+    return next(each for each in TIGHTER if counts[each] == min(counts.values()))
+
+
+def _set(sheets: _Sheets, page: Page) -> int:
+    """Everything in its order; how many sheets it took."""
+    _header(sheets, page)
+    for section in page.sections:
+        sheets.need(_together(section.blocks, sheets.tight) + 0.5)
+        sheets.space(0.2)
+        sheets.text(section.heading, 11, weight="bold")
+        sheets.rule()
+        for block in section.blocks:
+            _block(sheets, block)
+    sheets.space(0.15)
+    sheets.text(page.footer, 7.5, MUTED)
+    sheets.close()
+    return sheets.count
 
 
 class _Sheets:
-    """Sheets filled from the top; `y` is how far down [in] the next line goes."""
+    """Sheets filled from the top; `y` is how far down [in] the next line goes. Without `out` they are only counted.
 
-    def __init__(self, out: PdfPages, page: Page) -> None:
-        self.out, self.page, self.count = out, page, 0
+    `tight`: of their own height figures and gaps have so much.
+    """
+
+    def __init__(self, out: PdfPages | None, page: Page, tight: float) -> None:
+        self.out, self.page, self.tight, self.count = out, page, tight, 0
         self.open()
 
     def open(self) -> None:
@@ -64,7 +79,8 @@ class _Sheets:
         self.put(WIDE - LEFT, HIGH - 0.45, str(self.count), 7, MUTED, align="right")
 
     def close(self) -> None:
-        self.sheet.savefig(cast("IO[bytes]", self.out), format="pdf")  # matplotlib appends a sheet to its PdfPages
+        if self.out is not None:
+            self.sheet.savefig(cast("IO[bytes]", self.out), format="pdf")  # matplotlib appends a sheet to its PdfPages
 
     def need(self, height: float) -> None:
         """Go to a new sheet unless `height` inches are left on this one."""
@@ -73,6 +89,10 @@ class _Sheets:
             self.open()
 
     def space(self, height: float) -> None:
+        self.y += height * self.tight
+
+    def line(self, height: float) -> None:
+        """Past what stands in a line: letters are as high as they are."""
         self.y += height
 
     def put(
@@ -87,6 +107,8 @@ class _Sheets:
         align: str = "left",
     ) -> None:
         """One line with its top at (`x`, `y`) [in from the upper left]; dollars and the like mean themselves."""
+        if self.out is None:
+            return
         self.sheet.text(
             x / WIDE, 1 - y / HIGH, text, size=size, color=colour, weight=weight, ha=align, va="top", parse_math=False
         )
@@ -110,11 +132,13 @@ class _Sheets:
 
     def plot(self, plot: Plot) -> None:
         """The figure, over the sheet's width."""
-        self.need(plot.height_in + 0.3)
-        heights = (self.y, plot.height_in, HIGH - self.y - plot.height_in)
-        grid = self.sheet.add_gridspec(3, 3, height_ratios=heights, width_ratios=(LEFT, WIDTH_IN, LEFT))
-        plot.draw(self.sheet.add_subfigure(grid[1, 1]))
-        self.y += plot.height_in
+        high = plot.height_in * self.tight
+        self.need(high + 0.3)
+        if self.out is not None:
+            heights = (self.y, high, HIGH - self.y - high)
+            grid = self.sheet.add_gridspec(3, 3, height_ratios=heights, width_ratios=(LEFT, WIDTH_IN, LEFT))
+            plot.draw(self.sheet.add_subfigure(grid[1, 1]))
+        self.y += high
 
 
 def _header(sheets: _Sheets, page: Page) -> None:
@@ -160,7 +184,7 @@ def _facts(sheets: _Sheets, facts: Facts) -> None:
         sheets.put(LEFT, sheets.y, name, 8.5, MUTED)
         for line in lines:
             sheets.put(LEFT + 1.6, sheets.y, line, 8.5)
-            sheets.space(0.165)
+            sheets.line(0.165)
 
 
 def _table(sheets: _Sheets, table: Table) -> None:
@@ -190,7 +214,7 @@ def _row(sheets: _Sheets, table: Table, row: tuple[str, ...], widths: list[float
             place = x + width - 0.15 if right else x
             sheets.put(place, sheets.y + i * 0.16, line, 8, colour, align="right" if right else "left")
         x += width
-    sheets.space(height)
+    sheets.line(height)
 
 
 def _widths(table: Table) -> list[float]:
@@ -206,9 +230,9 @@ def _lines(text: str, width: float, size: float) -> list[str]:
     return textwrap.wrap(text, letters)
 
 
-def _together(blocks: tuple[Block, ...]) -> float:
+def _together(blocks: tuple[Block, ...], tight: float) -> float:
     """Height [in] that a heading keeps with it: its first figure, or a few lines."""
     for before, block in enumerate(blocks):
         if isinstance(block, Plot):
-            return 0.4 * before + block.height_in
+            return 0.4 * before + block.height_in * tight
     return 0.5

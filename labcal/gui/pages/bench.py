@@ -129,7 +129,7 @@ class BenchPage(QWidget):
         self.make.clicked.connect(self._make)
         not_in_a_run = (simulated, self.choose, self.make, self.reconnect, self.check)
         self._tips = {widget: widget.toolTip() for widget in not_in_a_run}
-        row = Flow(simulated, self.choose, self.make, self.edit, self.reconnect, self.check)
+        row = Flow(simulated, self.choose, self.make, self.edit, self.reconnect, self.check, left=True)
         self.table = Table(HEADINGS, 3)
         self.table.show_rows(MOST_ROWS, MOST_ROWS)
         self.table.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)  # no empty half

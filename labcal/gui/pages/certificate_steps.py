@@ -54,8 +54,7 @@ class SigningSteps(StepRow):
             self.tr("1  Key"),
             self.tr(
                 "Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, "
-                "no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept "
-                "here, and nothing brings it back."
+                "no single common word, row of keys or name; four words are easy to keep; nothing brings it back."
             ),
         )
         self.key_name = QLineEdit()

@@ -12,7 +12,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.fit_words import said_of, set_aside_words
+from labcal.gui.viewmodels.fit_words import OF_WHICH, said_of, set_aside_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
@@ -102,6 +102,7 @@ class FitPage(QWidget):
         self.to_run = go_to_run_button(self._app_state)
         self.verdict = label("", wrap=True)
         self.verdict.setAccessibleName(self.tr("Whether the fit is good"))
+        self.verdict.setToolTip(translated(str(OF_WHICH)))
         card.body.addWidget(self.verdict)
         card.body.addWidget(self.empty, 1)
         card.body.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)

@@ -6,7 +6,7 @@ from datetime import datetime
 from functools import cached_property
 from pathlib import Path
 
-from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
+from PySide6.QtCore import QItemSelectionModel, QSignalBlocker
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QStackedWidget, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile, Comparison, RunLine
@@ -26,10 +26,10 @@ from labcal.gui.widgets.common import Card, button, combo_box, label, set_state,
 from labcal.gui.widgets.comparison import ComparisonView
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
-from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.open_externally import FolderButton
 from labcal.gui.widgets.record_words import RecordWords
 from labcal.gui.widgets.recording_view import RecordingView
+from labcal.gui.widgets.sorted_table import SortedTable
 from labcal.gui.widgets.trend import Trend
 
 
@@ -170,17 +170,15 @@ class HistoryPage(QWidget):
         self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
         self.why_not = label("", "caption", wrap=True)
-        self.table = Table(HEADINGS, 6)
+        self.table = SortedTable(HEADINGS, 6)
         self.table.show_rows(10_000, 5)  # a small window rolls the page before it shows fewer
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
         header = self.table.horizontalHeader()
         for column in (4, 5):
             header.moveSection(column, column - 2)  # what came out, and became of it, where a narrow window shows it
-        header.setSortIndicatorShown(True)
-        header.setSortIndicator(0, Qt.SortOrder.DescendingOrder)
-        header.sectionClicked.connect(self.sort_by)
-        header.setToolTip(self.tr("Click to sort by this column, again to turn the order round"))
+        self.table.show_order(0, falling=True)
+        self.table.sort_wanted.connect(self.sort_by)
         self.table.doubleClicked.connect(self._open)
         self.empty = label("", "caption", wrap=True)
         where = QHBoxLayout()
@@ -262,8 +260,7 @@ class HistoryPage(QWidget):
         """By this column; a second click turns the order round."""
         at, falling = self._order
         self._order = column, (not falling if at == column else column == 0)
-        order = Qt.SortOrder.DescendingOrder if self._order[1] else Qt.SortOrder.AscendingOrder
-        self.table.horizontalHeader().setSortIndicator(column, order)
+        self.table.show_order(column, falling=self._order[1])
         self._show()
 
     def _chosen(self) -> None:

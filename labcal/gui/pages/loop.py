@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QHBoxLayout, QListWidget, QPlainTextEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Change, Loop
 from labcal.gui.ipc.wire import Fault
@@ -14,12 +13,24 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
-from labcal.gui.viewmodels.largest_of_U import largest_of_U
-from labcal.gui.viewmodels.loop_causes import Cause, candidates, cause
-from labcal.gui.viewmodels.loop_words import headline, not_determined, of_which_error, plain_reason, said_plainly
+from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
+from labcal.gui.viewmodels.loop_causes import Cause, CauseRow, cause
+from labcal.gui.viewmodels.loop_words import headline, not_determined, of_which_error, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED
-from labcal.gui.widgets.common import Card, button, combo_box, label, named, offer, set_primary, set_state, shrinkable
+from labcal.gui.widgets.causes_table import CausesTable
+from labcal.gui.widgets.common import (
+    Card,
+    button,
+    combo_box,
+    label,
+    named,
+    offer,
+    rename,
+    set_primary,
+    set_state,
+    shrinkable,
+)
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.idle_queue import IdleQueue
@@ -27,10 +38,9 @@ from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 from labcal.gui.widgets.trace_progress import TraceProgress
-from labcal.gui.widgets.whole_card import WholeCard
-from labcal.gui.widgets.whole_text import WholeText
+from labcal.gui.widgets.whole_card import UncutCard, WholeCard
 
-LEAST_PX = 150  # of a picture, and of the list: with less room the page is scrolled
+LEAST_PX = 150  # of a picture: with less room the page is scrolled
 
 
 class LoopPage(QWidget):
@@ -81,17 +91,13 @@ class LoopPage(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
         column.addWidget(self._verdict_card())
-        halves = QHBoxLayout()
-        halves.setSpacing(2 * GRID)
-        for cards in (((self._left_card(), 1), (self._change_card(), 1)),
-                      ((self._who_card(), 3), (self._unknown_card(), 1))):  # fmt: skip
-            half = QVBoxLayout()
-            half.setSpacing(2 * GRID)
-            for card, share in cards:
-                half.addWidget(card, share)
-            halves.addLayout(half, 1)
-            self._right = half
-        column.addLayout(halves, 1)
+        pictures = QHBoxLayout()
+        pictures.setSpacing(2 * GRID)
+        pictures.addWidget(self._left_card(), 1)
+        pictures.addWidget(self._change_card(), 1)
+        column.addLayout(pictures, 2)
+        column.addWidget(self._who_card(), 3)
+        column.addWidget(self._unknown_card(), 1)
         return holder
 
     def _verdict_card(self) -> Card:
@@ -102,17 +108,19 @@ class LoopPage(QWidget):
         self.fold = button(self.tr("In figures"), self.tr("The loop's own words: held-out rms, tests, rows set aside"))
         self.fold.setCheckable(True)
         self.fold.toggled.connect(self.summary.setVisible)
-        self.before_after, self.noise = label("", "large"), label("", "caption", wrap=True)
+        self.before_after, self.noise = label("", "large"), label("", wrap=True)
         words, numbers = QVBoxLayout(), QVBoxLayout()
         words.addWidget(self.verdict)
         self.most_of_U = shrinkable(label("", wrap=True))
         words.addWidget(self.plainly)
         words.addWidget(self.most_of_U)
-        words.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignLeft)
         words.addWidget(self.summary)
         for widget in (self.before_after, self.noise):
             widget.setAlignment(Qt.AlignmentFlag.AlignRight)
             numbers.addWidget(widget)
+        numbers.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignRight)
+        words.addStretch()
+        numbers.addStretch()
         row = QHBoxLayout()
         row.addLayout(words, 1)
         row.addSpacing(4 * GRID)
@@ -129,38 +137,26 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = Card(self.tr("2  What could cause it"))
-        card.body.addWidget(shrinkable(label(self.tr("Rms beside declared errors"), "caption")))
+        card = UncutCard(self.tr("3  What could cause it"), self.tr("beside declared errors"))
         self.bars = Bars(self._theme)
-        self.others = QListWidget()
-        self.others.setWordWrap(True)
-        self.others.setTextElideMode(Qt.TextElideMode.ElideNone)  # Qt would cut what is of several lines
-        self.others.setItemDelegate(WholeText(self.others))
-        self.others.setResizeMode(QListWidget.ResizeMode.Adjust)
-        self.others.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.others.setVerticalScrollMode(QListWidget.ScrollMode.ScrollPerPixel)
-        self.others.setSpacing(GRID // 4)
-        self.others.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
-        self.others.setToolTip(self.tr("Choose one to see what it alone would change"))
+        self.others = CausesTable(self._theme)
         self.others.itemSelectionChanged.connect(self._picked)
-        self.others.setMinimumHeight(LEAST_PX)
         self.none_searched = label(self.tr("No cause was searched for: 4 says why."), wrap=True)
+        self.change_why, self.change_words = label("", wrap=True), label("", "caption", wrap=True)
         card.body.addWidget(self.bars)
         card.body.addWidget(self.none_searched)
         card.body.addWidget(self.others, 1)
-        card.body.addStretch()
+        for words in (self.change_why, self.change_words):
+            card.body.addWidget(words)
         return card
 
     def _change_card(self) -> Card:
-        card = Card(self.tr("3  What it changes"), "")
-        self.change_heading, self.change_words = card.heading, card.unit
+        card = Card(self.tr("2  What it changes"), "")
+        self.change_heading = card.heading
         self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=2)
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
         self.change.setMinimumHeight(LEAST_PX)
-        self.change_why = label("", "caption", wrap=True)
-        self.change_why.hide()
-        card.body.addWidget(self.change_why)
         row = QHBoxLayout()
         row.addWidget(self.against, 1)
         for widget in export_buttons(self, lambda: self.change):
@@ -243,7 +239,9 @@ class LoopPage(QWidget):
 
     def _show_uncertainty(self) -> None:
         """What makes most of the draft's U: the error at the top is not all that is not known."""
-        self.most_of_U.setText(largest_of_U(self._app_state.path.kept(self._study.run)))
+        draft = self._app_state.path.kept(self._study.run)
+        self.most_of_U.setText(largest_of_U(draft))
+        self.most_of_U.setToolTip(how_to_lower_U(draft))
         self.most_of_U.setVisible(bool(self.most_of_U.text()))
 
     def _show_loop(self, loop: Loop) -> None:
@@ -252,10 +250,13 @@ class LoopPage(QWidget):
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
         beside = self.tr("These figures are beside the errors that the run declares; above they are in it.")
-        self.summary.setText(f"{in_words(loop.summary)} {beside}")
+        noise, above = of_which_error(loop)
+        lower = how_to_lower_U(self._app_state.path.kept(self._study.run))
+        self.summary.setText("\n".join(filter(None, (f"{in_words(loop.summary)} {beside}", above, lower))))
         before, after = loop.before_nT, loop.after_nT
         self.before_after.setText(f"{format_number(before, signed=False)} → {format_number(after, signed=False)} nT")
-        self.noise.setText(of_which_error(loop))
+        self.noise.setText(noise)
+        self.noise.setToolTip(above)
         self._show_uncertainty()
         self._show_unknown(loop)
         self._fill_against(loop)
@@ -283,37 +284,22 @@ class LoopPage(QWidget):
         self.bars.show_bars(rows, loop.noise_floor_nT)
 
     def _show_candidates(self) -> None:
-        """Every cause with its standing, and below it why: however long; its evidence where one is chosen."""
+        """Every cause with its standing; the reason of the one that is chosen is whole below."""
         if self._study.loop is None:
             return
-        words = {"accepted": self.tr("✓ {0}: named"), "rival": self.tr("? {0}: a rival"),
-                 "rejected": self.tr("– {0}: not named")}  # fmt: skip
-        inks = {"accepted": self._theme.good, "rival": self._theme.warning, "rejected": self._theme.text}
-        listed = candidates(self._study.loop, plain_reason)
-        whole = [why for *_, why in candidates(self._study.loop)]
-        self.others.setVisible(bool(listed))
+        self.others.show_loop(self._study.loop, self._theme)
+        listed = bool(self.others.rowCount())
+        self.others.setVisible(listed)
+        self.change_why.setVisible(listed)
         self.none_searched.setVisible(not listed)
-        self._right.setStretch(0, 3 if listed else 0)  # without a list 4 has the room
-        while self.others.count() > len(listed):
-            self.others.takeItem(len(listed))
-        self.others.addItems([""] * (len(listed) - self.others.count()))
-        for row, (standing, effect, why) in enumerate(listed):
-            item, text = self.others.item(row), f"{words[standing].format(cause(effect))}\n{why}"
-            if item.text() != text:
-                item.setText(text)
-                item.setToolTip(f"{words[standing].format(cause(effect))}\n{whole[row]}")
-            item.setForeground(QColor(inks[standing]))
 
-    def picked(self) -> tuple[str, Cause, str] | None:
-        """Standing, cause and why of what is chosen in the list; None for the loop's own verdict."""
-        loop, rows = self._study.loop, self.others.selectedIndexes()
-        if loop is None or not rows:
-            return None
-        return candidates(loop)[rows[0].row()]
+    def picked(self) -> CauseRow | None:
+        """What is chosen in the table; None for the loop's own verdict."""
+        return None if self._study.loop is None else self.others.picked()
 
     def _picked(self) -> None:
         if (chosen := self.picked()) is not None:
-            self._study.look_at(chosen[1].effect, chosen[1].channels)
+            self._study.look_at(chosen.cause.effect, chosen.cause.channels)
         if self._study.loop is not None:
             self._fill_against(self._study.loop)
             self._name_change()
@@ -342,7 +328,7 @@ class LoopPage(QWidget):
 
     def _fill_against(self, loop: Loop) -> None:
         against, chosen = loop.change.against, self.picked()
-        effects: tuple[Cause, ...] = (chosen[1],) if chosen else loop.accepted
+        effects: tuple[Cause, ...] = (chosen.cause,) if chosen else loop.accepted
         channels = [c for one in effects for c in one.channels]
         driven = channels or [loop.drawn_against.get(one.effect, "time") for one in effects]
         offer(self.against, sorted(against, key=lambda name: name.split("  ")[0] not in driven), against_words)
@@ -359,17 +345,18 @@ class LoopPage(QWidget):
         """What is drawn before and after: all named causes, or the one that is chosen, alone."""
         chosen, loop = self.picked(), self._study.loop
         if chosen is not None:
-            return self._study.causes.get(cause(chosen[1]))
+            return self._study.causes.get(cause(chosen.cause))
         return None if loop is None else loop.change
 
     def _name_change(self) -> None:
         """Whose change it is, why it stands as it does, and how much it is."""
         chosen, one = self.picked(), self._one()
-        title = self.tr("3  What it changes") if chosen is None else self.tr("3  With {0}").format(cause(chosen[1]))
+        title = self.tr("2  What it changes") if chosen is None else self.tr("2  With {0}").format(cause(chosen.cause))
         self.change_heading.setText(title)
         self.change_heading.setToolTip(title)
-        self.change_why.setText("" if chosen is None else chosen[2])
-        self.change_why.setVisible(chosen is not None)
+        choose = self.tr("Choose one to see what it alone would change.")
+        self.change_why.setText(choose if chosen is None else f"{cause(chosen.cause)}: {chosen.why}")
+        rename(self.change_why, "caption" if chosen is None else "")
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")
         self.change_words.setText("")

@@ -219,7 +219,7 @@ class StartPage(QWidget):
             return self._say("reference", self.tr("not known"), self.tr("No bench is open."))
         dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
         if dated is None:
-            words = self.tr("The bench file states no calibration of the reference with a date.")
+            words = self.tr("The bench file states no calibration date.")
             return self._say("reference", self.tr("not stated"), words)
         days = (datetime.now(UTC).date() - date.fromisoformat(dated.group())).days
         words = self.tr("Calibrated {0}, {1} days ago.").format(dated.group(), days)
@@ -233,12 +233,12 @@ class StartPage(QWidget):
         if self._cage_check is not None:
             return self._show_cage_check(self._cage_check)
         if not cage.stated:
-            words = self.tr("The bench file states coil constants only: Check the cage measures the matrix.")
+            words = self.tr("Coil constants only: Check the cage measures the matrix.")
             return self._say("cage", self.tr("▲ not measured"), words, "warning")
         if cage.calibration:
             words = self.tr("The matrix is that of the approved cage calibration {0}.").format(cage.calibration)
             return self._say("cage", self.tr("✓ approved"), words, "good")
-        words = self.tr("The bench file states a matrix without a date: Check the cage says whether it holds.")
+        words = self.tr("A matrix without a date: Check the cage says whether it holds.")
         return self._say("cage", self.tr("? not checked"), words, "warning")
 
     def _cage_known(self, said: Checked | None) -> None:

@@ -370,11 +370,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured.</source>
+        <source>No specification was stated for this run.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with.</source>
+        <source>This DUT has no earlier calibration.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -402,6 +402,21 @@
     </message>
     <message>
         <source>Picture of the camera: the DUT as it stands now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>CausesTable</name>
+    <message>
+        <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6279,10 +6294,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Click to sort by this column, again to turn the order round</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6617,10 +6628,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>2  What could cause it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6629,27 +6636,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ {0}: named</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>? {0}: a rival</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>– {0}: not named</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Added to it: {0}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Candidates; choose one to see what it alone would change</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose one to see what it alone would change</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6681,15 +6668,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rms beside declared errors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No cause was searched for: 4 says why.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>3  What it changes</source>
+        <source>3  What could cause it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>beside declared errors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2  What it changes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6741,7 +6732,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>3  With {0}</source>
+        <source>2  With {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7628,7 +7623,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7757,6 +7752,21 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>SortedTable</name>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column beside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a table: its order turned round</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>Standing</name>
     <message>
         <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
@@ -7822,7 +7832,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bench file states no calibration of the reference with a date.</source>
+        <source>The bench file states no calibration date.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7839,14 +7849,6 @@ after this step …</source>
     </message>
     <message>
         <source>✓ in date</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7894,6 +7896,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Coil constants only: Check the cage measures the matrix.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ not measured</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7903,6 +7909,10 @@ after this step …</source>
     </message>
     <message>
         <source>✓ approved</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A matrix without a date: Check the cage says whether it holds.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9214,6 +9224,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>with declared errors; noise alone {0} nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9514,15 +9528,27 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
+        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No specification is stated.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9535,14 +9561,6 @@ after this step …</source>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This run states no specification to judge it by.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9894,11 +9912,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
+        <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
+        <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it is made of: docs/certificate.md</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9967,6 +9993,46 @@ after this step …</source>
     </message>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>takes off  nT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no evidence</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -370,12 +370,12 @@
         <translation>Unsicherheit</translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured.</source>
-        <translation>Die Messplatzdatei nannte bei der Messung keine Spezifikation.</translation>
+        <source>No specification was stated for this run.</source>
+        <translation>Für diese Messung war keine Spezifikation angegeben.</translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with.</source>
-        <translation>Es gibt keine frühere Kalibrierung dieses Prüflings zum Vergleichen.</translation>
+        <source>This DUT has no earlier calibration.</source>
+        <translation>Dieser Prüfling hat keine frühere Kalibrierung.</translation>
     </message>
 </context>
 <context>
@@ -403,6 +403,21 @@
     <message>
         <source>Picture of the camera: the DUT as it stands now</source>
         <translation>Bild der Kamera: der Prüfling, wie er jetzt steht</translation>
+    </message>
+</context>
+<context>
+    <name>CausesTable</name>
+    <message>
+        <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
+        <translation>Von der zurückgehaltenen rms neben angegebenen Fehlern, durch sie allein; –: nicht ausgerechnet</translation>
+    </message>
+    <message>
+        <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
+        <translation>Ob es für eine Benennung genügt; –: sie ist aus einem anderen Grund nicht benannt</translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation>Kandidaten; einen wählen zeigt, was er allein ändern würde</translation>
     </message>
 </context>
 <context>
@@ -6279,10 +6294,6 @@
         <translation>Zwei Messungen wählen (Strg und ein Klick): ihre Kennwerte, Reste und Ortskurven</translation>
     </message>
     <message>
-        <source>Click to sort by this column, again to turn the order round</source>
-        <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
-    </message>
-    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation>Keine solche Messung. Eine Messung der Seite Messen oder ein importiertes Bündel erscheint hier.</translation>
     </message>
@@ -6634,28 +6645,28 @@ diesem Schritt …</translation>
         <translation>Band: das Rauschen einer Achse einer Zeile</translation>
     </message>
     <message>
-        <source>2  What could cause it</source>
-        <translation>2  Mögliche Ursachen</translation>
+        <source>3  What could cause it</source>
+        <translation>3  Mögliche Ursachen</translation>
     </message>
     <message>
-        <source>Rms beside declared errors</source>
-        <translation>Rms neben angegebenen Fehlern</translation>
+        <source>beside declared errors</source>
+        <translation>neben angegebenen Fehlern</translation>
     </message>
     <message>
-        <source>Candidates; choose one to see what it alone would change</source>
-        <translation>Kandidaten; einen wählen zeigt, was er allein ändern würde</translation>
+        <source>2  What it changes</source>
+        <translation>2  Was es ändert</translation>
     </message>
     <message>
-        <source>Choose one to see what it alone would change</source>
-        <translation>Einen wählen zeigt, was er allein ändern würde</translation>
+        <source>2  With {0}</source>
+        <translation>2  Mit {0}</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change.</source>
+        <translation>Eine wählen zeigt, was sie allein ändern würde.</translation>
     </message>
     <message>
         <source>No cause was searched for: 4 says why.</source>
         <translation>Nach keiner Ursache wurde gesucht: 4 sagt, warum.</translation>
-    </message>
-    <message>
-        <source>3  What it changes</source>
-        <translation>3  Was es ändert</translation>
     </message>
     <message>
         <source>What the residual is drawn against; the named cause first</source>
@@ -6702,18 +6713,6 @@ diesem Schritt …</translation>
         <translation>oder {0}</translation>
     </message>
     <message>
-        <source>✓ {0}: named</source>
-        <translation>✓ {0}: benannt</translation>
-    </message>
-    <message>
-        <source>? {0}: a rival</source>
-        <translation>? {0}: ein Rivale</translation>
-    </message>
-    <message>
-        <source>– {0}: not named</source>
-        <translation>– {0}: nicht benannt</translation>
-    </message>
-    <message>
         <source>Added to it: {0}.</source>
         <translation>Hinzugefügt: {0}.</translation>
     </message>
@@ -6740,10 +6739,6 @@ diesem Schritt …</translation>
     <message>
         <source>Measure what is missing</source>
         <translation>Messen, was fehlt</translation>
-    </message>
-    <message>
-        <source>3  With {0}</source>
-        <translation>3  Mit {0}</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -7629,8 +7624,8 @@ diesem Schritt …</translation>
         <translation>1  Schlüssel</translation>
     </message>
     <message>
-        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
-        <translation>Name: Buchstaben, Ziffern und . _ @ + - ohne Leerzeichen, wie ada.smith. Kennwort: zehn Zeichen oder mehr, kein gewöhnliches Wort allein, keine Tastenreihe, nicht der Name. Vier Wörter sind leicht zu merken. Es wird hier nie aufbewahrt, und nichts bringt es zurück.</translation>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
+        <translation>Name: Buchstaben, Ziffern und . _ @ + - ohne Leerzeichen, wie ada.smith. Kennwort: zehn Zeichen oder mehr, kein gewöhnliches Wort allein, keine Tastenreihe, kein Name; vier Wörter sind leicht zu merken; nichts bringt es zurück.</translation>
     </message>
     <message>
         <source>Whose key</source>
@@ -7758,6 +7753,21 @@ diesem Schritt …</translation>
     </message>
 </context>
 <context>
+    <name>SortedTable</name>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column beside</source>
+        <translation>in einer Tabelle: nach der Spalte daneben sortiert</translation>
+    </message>
+    <message>
+        <source>in a table: its order turned round</source>
+        <translation>in einer Tabelle: ihre Reihenfolge umgekehrt</translation>
+    </message>
+</context>
+<context>
     <name>Standing</name>
     <message>
         <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
@@ -7863,8 +7873,8 @@ diesem Schritt …</translation>
         <translation>Kein Messplatz ist offen.</translation>
     </message>
     <message>
-        <source>The bench file states no calibration of the reference with a date.</source>
-        <translation>Die Messplatzdatei nennt keine Kalibrierung der Referenz mit Datum.</translation>
+        <source>The bench file states no calibration date.</source>
+        <translation>Die Messplatzdatei nennt kein Kalibrierdatum.</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -7883,14 +7893,6 @@ diesem Schritt …</translation>
         <translation>✓ gültig</translation>
     </message>
     <message>
-        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation>Die Messplatzdatei gibt nur Spulenkonstanten an: „Käfig prüfen“ misst die Matrix.</translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
-        <translation>Die Messplatzdatei gibt eine Matrix ohne Datum an: „Käfig prüfen“ sagt, ob sie gilt.</translation>
-    </message>
-    <message>
         <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
         <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
     </message>
@@ -7907,12 +7909,20 @@ diesem Schritt …</translation>
         <translation>▲ Eine Messung von {0} kam nicht an ihr Ende: unten weiter, oder neu messen.</translation>
     </message>
     <message>
+        <source>Coil constants only: Check the cage measures the matrix.</source>
+        <translation>Nur Spulenkonstanten: „Käfig prüfen“ misst die Matrix.</translation>
+    </message>
+    <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
         <translation>Die Matrix ist die der genehmigten Käfigkalibrierung {0}.</translation>
     </message>
     <message>
         <source>✓ approved</source>
         <translation>✓ genehmigt</translation>
+    </message>
+    <message>
+        <source>A matrix without a date: Check the cage says whether it holds.</source>
+        <translation>Eine Matrix ohne Datum: „Käfig prüfen“ sagt, ob sie gilt.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -9215,6 +9225,10 @@ diesem Schritt …</translation>
         <translation>Diese Messung bestimmt die Abbildung nicht ganz: zu wenige Achsen oder Felder wurden gemessen, deshalb wurde nach keiner Ursache gesucht. Gegen den Prüfling sagt das nichts. Was zu messen ist, steht bei 4.</translation>
     </message>
     <message>
+        <source>with declared errors; noise alone {0} nT</source>
+        <translation>mit angegebenen Fehlern; Rauschen allein {0} nT</translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
     </message>
@@ -9515,16 +9529,28 @@ diesem Schritt …</translation>
         <translation>Ohne Ergebnis: {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, nicht mehr als das angegebene Rauschen von |b| in einem Messwert, {1} nT. Was von der Richtung übrig bleibt, beurteilt die Seite Ursachen.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben übrig, nicht mehr als sein Rauschen, {1} nT. Die Richtung beurteilt die Seite Ursachen.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
-        <translation>▲ Die Abbildung allein genügt noch nicht, so gut auch gemessen wurde: {0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig, das angegebene Rauschen von |b| in einem Messwert ist {1} nT.</translation>
+        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
+        <translation>▲ Die Abbildung allein genügt nicht: {0} nT von |b| bleiben übrig, sein Rauschen ist {1} nT.</translation>
+    </message>
+    <message>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
+    </message>
+    <message>
+        <source>No specification is stated.</source>
+        <translation>Es ist keine Spezifikation angegeben.</translation>
     </message>
     <message>
         <source>Trace the residual.</source>
         <translation>Den Rest erklären.</translation>
+    </message>
+    <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
+        <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9537,14 +9563,6 @@ diesem Schritt …</translation>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
         <translation>▲ Diese Messung bestimmt nicht die ganze Abbildung, so wenig auch übrig bleibt: {0}. Sie taugt für eine Prüfung und für keine Kalibrierung.</translation>
-    </message>
-    <message>
-        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
-        <translation>{0} nT von |b| bleiben in zurückgehaltenen Zeilen übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
-    </message>
-    <message>
-        <source>This run states no specification to judge it by.</source>
-        <translation>Dieser Lauf gibt keine Spezifikation an, an der es zu messen wäre.</translation>
     </message>
     <message>
         <source>Opening the simulated lab …</source>
@@ -9895,12 +9913,20 @@ diesem Schritt …</translation>
         <translation>Nach der Methode {0}. Nullpunkt: was der Sensor ohne Feld anzeigt; der Offset k von b = K m − k steht unter Abbildung.</translation>
     </message>
     <message>
-        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
-        <translation>U einer Komponente des Feldes ist bis zu {0} nT (k = 2), davon {1} % durch: {2} (docs/certificate.md)</translation>
+        <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
+        <translation>U einer Feldkomponente: bis zu {0} nT (k = 2), {1} % davon aus {2}.</translation>
     </message>
     <message>
-        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
-        <translation>Das meiste von U einer Feldkomponente, {0} von {1} nT (k = 2), ist die Montage: Die Messung gibt sie auf {2}° genau an (u_mounting_deg). Kleiner wird es, wenn genauer montiert und das angegeben wird: docs/certificate.md</translation>
+        <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
+        <translation>U einer Feldkomponente: {0} nT (k = 2), das meiste aus der Montage, die auf {1}° genau angegeben ist.</translation>
+    </message>
+    <message>
+        <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
+        <translation>Kleiner wird es, wenn genauer montiert und das angegeben wird (u_mounting_deg): docs/certificate.md</translation>
+    </message>
+    <message>
+        <source>What it is made of: docs/certificate.md</source>
+        <translation>Woraus es besteht: docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>
@@ -9969,6 +9995,46 @@ diesem Schritt …</translation>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation>Sie sind von zwei Prüflingen: Offsets und Skalenfaktoren sind keine Änderung von einem und stehen in keiner Tabelle. Reste und Ortskurven von beiden sind unten gezeichnet.</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>Ursache</translation>
+    </message>
+    <message>
+        <source>takes off  nT</source>
+        <translation>nimmt weg  nT</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>Evidenz</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation>✓ benannt</translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation>? Rivale</translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation>– nicht benannt</translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation>genug</translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation>zu wenig</translation>
+    </message>
+    <message>
+        <source>no evidence</source>
+        <translation>keine Evidenz</translation>
     </message>
     <message>
         <source>back {0}, out since {1}</source>

@@ -370,12 +370,12 @@
         <translation>Incertitude</translation>
     </message>
     <message>
-        <source>The bench file stated no specification when the run was measured.</source>
-        <translation>Le fichier du banc ne donnait pas de spécification lors de la mesure.</translation>
+        <source>No specification was stated for this run.</source>
+        <translation>Aucune spécification n&apos;était indiquée pour cette mesure.</translation>
     </message>
     <message>
-        <source>There is no earlier calibration of this DUT to compare it with.</source>
-        <translation>Il n&apos;y a pas d&apos;étalonnage antérieur de ce DUT pour comparer.</translation>
+        <source>This DUT has no earlier calibration.</source>
+        <translation>Ce DUT n&apos;a pas d&apos;étalonnage antérieur.</translation>
     </message>
 </context>
 <context>
@@ -403,6 +403,21 @@
     <message>
         <source>Picture of the camera: the DUT as it stands now</source>
         <translation>Image de la caméra : le DUT tel qu&apos;il se trouve maintenant</translation>
+    </message>
+</context>
+<context>
+    <name>CausesTable</name>
+    <message>
+        <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
+        <translation>Du rms mis de côté, à part les erreurs déclarées, par elle seule ; – : non calculé</translation>
+    </message>
+    <message>
+        <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
+        <translation>Si cela suffit pour la nommer ; – : c&apos;est pour une autre raison qu&apos;elle ne l&apos;est pas</translation>
+    </message>
+    <message>
+        <source>Candidates; choose one to see what it alone would change</source>
+        <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
     </message>
 </context>
 <context>
@@ -6279,10 +6294,6 @@
         <translation>Choisir deux mesures (Ctrl et un clic) : leurs valeurs, résidus et lieux</translation>
     </message>
     <message>
-        <source>Click to sort by this column, again to turn the order round</source>
-        <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
-    </message>
-    <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
         <translation>Aucune telle mesure. Une mesure de la page Mesure, ou un paquet importé, apparaît ici.</translation>
     </message>
@@ -6634,28 +6645,28 @@ cette étape …</translation>
         <translation>Bande : le bruit d’un axe d’une ligne</translation>
     </message>
     <message>
-        <source>2  What could cause it</source>
-        <translation>2  Causes possibles</translation>
+        <source>3  What could cause it</source>
+        <translation>3  Causes possibles</translation>
     </message>
     <message>
-        <source>Rms beside declared errors</source>
-        <translation>Rms à part les erreurs déclarées</translation>
+        <source>beside declared errors</source>
+        <translation>à part les erreurs déclarées</translation>
     </message>
     <message>
-        <source>Candidates; choose one to see what it alone would change</source>
-        <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+        <source>2  What it changes</source>
+        <translation>2  Ce que cela change</translation>
     </message>
     <message>
-        <source>Choose one to see what it alone would change</source>
-        <translation>Choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+        <source>2  With {0}</source>
+        <translation>2  Avec {0}</translation>
+    </message>
+    <message>
+        <source>Choose one to see what it alone would change.</source>
+        <translation>Choisissez-en une pour voir ce qu&apos;elle seule changerait.</translation>
     </message>
     <message>
         <source>No cause was searched for: 4 says why.</source>
         <translation>Aucune cause n’a été cherchée : 4 dit pourquoi.</translation>
-    </message>
-    <message>
-        <source>3  What it changes</source>
-        <translation>3  Ce que cela change</translation>
     </message>
     <message>
         <source>What the residual is drawn against; the named cause first</source>
@@ -6702,18 +6713,6 @@ cette étape …</translation>
         <translation>ou {0}</translation>
     </message>
     <message>
-        <source>✓ {0}: named</source>
-        <translation>✓ {0} : nommé</translation>
-    </message>
-    <message>
-        <source>? {0}: a rival</source>
-        <translation>? {0} : un rival</translation>
-    </message>
-    <message>
-        <source>– {0}: not named</source>
-        <translation>– {0} : non nommé</translation>
-    </message>
-    <message>
         <source>Added to it: {0}.</source>
         <translation>Ajouté : {0}.</translation>
     </message>
@@ -6740,10 +6739,6 @@ cette étape …</translation>
     <message>
         <source>Measure what is missing</source>
         <translation>Mesurer ce qui manque</translation>
-    </message>
-    <message>
-        <source>3  With {0}</source>
-        <translation>3  Avec {0}</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -7629,8 +7624,8 @@ cette étape …</translation>
         <translation>1  Clé</translation>
     </message>
     <message>
-        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, no row of keys, not the name. Four words are easy to keep. It is never kept here, and nothing brings it back.</source>
-        <translation>Nom : lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe : dix caractères ou plus, pas un mot courant seul, pas une rangée de touches, pas le nom. Quatre mots se retiennent bien. Elle n&apos;est jamais gardée ici, et rien ne la ramène.</translation>
+        <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
+        <translation>Nom : lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe : dix caractères ou plus, ni mot courant seul, ni rangée de touches, ni nom ; quatre mots se retiennent bien ; rien ne la ramène.</translation>
     </message>
     <message>
         <source>Whose key</source>
@@ -7758,6 +7753,21 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>SortedTable</name>
+    <message>
+        <source>Click to sort by this column, again to turn the order round</source>
+        <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column beside</source>
+        <translation>dans une table : dans l&apos;ordre de la colonne voisine</translation>
+    </message>
+    <message>
+        <source>in a table: its order turned round</source>
+        <translation>dans une table : son ordre inversé</translation>
+    </message>
+</context>
+<context>
     <name>Standing</name>
     <message>
         <source>The window broke off, and was started again. What it said last is kept in {0}.</source>
@@ -7863,8 +7873,8 @@ cette étape …</translation>
         <translation>Aucun banc n&apos;est ouvert.</translation>
     </message>
     <message>
-        <source>The bench file states no calibration of the reference with a date.</source>
-        <translation>Le fichier du banc n&apos;indique aucun étalonnage daté de la référence.</translation>
+        <source>The bench file states no calibration date.</source>
+        <translation>Le fichier du banc n&apos;indique aucune date d&apos;étalonnage.</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -7883,14 +7893,6 @@ cette étape …</translation>
         <translation>✓ à jour</translation>
     </message>
     <message>
-        <source>The bench file states coil constants only: Check the cage measures the matrix.</source>
-        <translation>Le fichier du banc n&apos;indique que des constantes de bobines : « Vérifier la cage » mesure la matrice.</translation>
-    </message>
-    <message>
-        <source>The bench file states a matrix without a date: Check the cage says whether it holds.</source>
-        <translation>Le fichier du banc indique une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
-    </message>
-    <message>
         <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
         <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
     </message>
@@ -7907,12 +7909,20 @@ cette étape …</translation>
         <translation>▲ Une mesure de {0} n&apos;est pas allée à son terme : la continuer ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
+        <source>Coil constants only: Check the cage measures the matrix.</source>
+        <translation>Des constantes de bobines seulement : « Vérifier la cage » mesure la matrice.</translation>
+    </message>
+    <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
         <translation>La matrice est celle de l&apos;étalonnage approuvé {0}.</translation>
     </message>
     <message>
         <source>✓ approved</source>
         <translation>✓ approuvée</translation>
+    </message>
+    <message>
+        <source>A matrix without a date: Check the cage says whether it holds.</source>
+        <translation>Une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -9215,6 +9225,10 @@ cette étape …</translation>
         <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
     </message>
     <message>
+        <source>with declared errors; noise alone {0} nT</source>
+        <translation>avec les erreurs déclarées ; bruit seul {0} nT</translation>
+    </message>
+    <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
         <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
     </message>
@@ -9515,16 +9529,28 @@ cette étape …</translation>
         <translation>Sans résultat : {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b| dans les lignes mises de côté, pas plus que le bruit déclaré de |b| d&apos;une lecture, {1} nT. Ce qui reste de la direction, la page Causes le juge.</translation>
+        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b|, pas plus que son bruit, {1} nT. La page Causes juge la direction.</translation>
     </message>
     <message>
-        <source>▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, the noise that is stated of |b| in one reading is {1} nT.</source>
-        <translation>▲ La transformation seule ne suffit pas encore, si bonne que soit la mesure : {0} nT de |b| restent dans les lignes mises de côté, le bruit indiqué de |b| d&apos;une lecture est de {1} nT.</translation>
+        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
+        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT de |b|, son bruit est de {1} nT.</translation>
+    </message>
+    <message>
+        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+    </message>
+    <message>
+        <source>No specification is stated.</source>
+        <translation>Aucune spécification n&apos;est indiquée.</translation>
     </message>
     <message>
         <source>Trace the residual.</source>
         <translation>Expliquer le résidu.</translation>
+    </message>
+    <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
+        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9537,14 +9563,6 @@ cette étape …</translation>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
         <translation>▲ Cette mesure ne détermine pas toute l’application, si peu qu’il reste : {0}. Elle vaut pour une vérification, et pour aucun étalonnage.</translation>
-    </message>
-    <message>
-        <source>{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT de |b| dans les lignes mises de côté ; aucun bruit n&apos;est déclaré pour comparer.</translation>
-    </message>
-    <message>
-        <source>This run states no specification to judge it by.</source>
-        <translation>Cette mesure n&apos;indique aucune spécification pour en juger.</translation>
     </message>
     <message>
         <source>Opening the simulated lab …</source>
@@ -9895,12 +9913,20 @@ cette étape …</translation>
         <translation>Par la méthode {0}. Lecture à zéro : ce que le capteur indique sans champ ; le décalage k de b = K m − k est sous Transformation.</translation>
     </message>
     <message>
-        <source>U of one component of the field is up to {0} nT (k = 2), {1} % of it from {2}: docs/certificate.md</source>
-        <translation>U d’une composante du champ va jusqu’à {0} nT (k = 2), dont {1} % par : {2} (docs/certificate.md)</translation>
+        <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
+        <translation>U d&apos;une composante du champ : jusqu&apos;à {0} nT (k = 2), dont {1} % de {2}.</translation>
     </message>
     <message>
-        <source>Most of U of one component of the field, {0} of {1} nT (k = 2), is the mounting: the run declares it good to {2}° (u_mounting_deg). To lower it, mount more exactly and declare that: docs/certificate.md</source>
-        <translation>L&apos;essentiel de U d&apos;une composante du champ, {0} sur {1} nT (k = 2), est le montage : la mesure le déclare exact à {2}° (u_mounting_deg). Pour le réduire, monter plus exactement et le déclarer : docs/certificate.md</translation>
+        <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
+        <translation>U d&apos;une composante du champ : {0} nT (k = 2), surtout du montage, déclaré exact à {1}°.</translation>
+    </message>
+    <message>
+        <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
+        <translation>Pour le réduire, monter plus exactement et le déclarer (u_mounting_deg) : docs/certificate.md</translation>
+    </message>
+    <message>
+        <source>What it is made of: docs/certificate.md</source>
+        <translation>De quoi il est fait : docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>
@@ -9969,6 +9995,46 @@ cette étape …</translation>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
         <translation>Elles sont de deux DUT : leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
+    </message>
+    <message>
+        <source>cause</source>
+        <translation>cause</translation>
+    </message>
+    <message>
+        <source>takes off  nT</source>
+        <translation>ôte  nT</translation>
+    </message>
+    <message>
+        <source>evidence</source>
+        <translation>évidence</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>raison</translation>
+    </message>
+    <message>
+        <source>✓ named</source>
+        <translation>✓ nommée</translation>
+    </message>
+    <message>
+        <source>? rival</source>
+        <translation>? rivale</translation>
+    </message>
+    <message>
+        <source>– not named</source>
+        <translation>– non nommée</translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation>assez</translation>
+    </message>
+    <message>
+        <source>too little</source>
+        <translation>trop peu</translation>
+    </message>
+    <message>
+        <source>no evidence</source>
+        <translation>aucune évidence</translation>
     </message>
     <message>
         <source>back {0}, out since {1}</source>

@@ -10,7 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure
 from labcal.gui.translations.sentences import in_words, name_in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.largest_of_U import largest_of_U
+from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.viewmodels.study import cause_name
 
@@ -45,7 +45,7 @@ def method_words(one: CalibrationFile) -> str:
 def short_remark(one: CalibrationFile) -> str:
     """What makes most of U, by which method the figures in short are, and what they are not."""
     said = translated(str(SHORT)).format(method_words(one)) if one.method and one.figures else ""
-    return "\n".join(filter(None, (largest_of_U(one), said)))
+    return "\n".join(filter(None, (f"{largest_of_U(one)} {how_to_lower_U(one)}".strip(), said)))
 
 
 def map_rows(one: CalibrationFile) -> list[list[Cell]]:

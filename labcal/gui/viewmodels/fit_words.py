@@ -44,13 +44,13 @@ EXPLAINED = "explained"
 REACHED = 1.15  # of the noise: as the loop calls a run clean
 GOOD = QT_TRANSLATE_NOOP(
     "Words",
-    "✓ The calibration is good in size: {0} nT of |b| are left over in held-out rows, no more than the noise "
-    "that is stated of |b| in one reading, {1} nT. What is left of the direction, the loop judges.",
+    "✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. "
+    "The loop judges the direction.",
 )
-DOUBT = QT_TRANSLATE_NOOP(
+DOUBT = QT_TRANSLATE_NOOP("Words", "▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.")
+OF_WHICH = QT_TRANSLATE_NOOP(
     "Words",
-    "▲ The map alone is not enough yet, however well it was measured: {0} nT of |b| are left over in held-out rows, "
-    "the noise that is stated of |b| in one reading is {1} nT.",
+    "What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.",
 )
 TRACE = QT_TRANSLATE_NOOP("Words", "Trace the residual.")
 TRACED = QT_TRANSLATE_NOOP("Words", "The residual was traced: {0}. The Loop page says what was found.")
@@ -60,10 +60,8 @@ LEFT_OPEN = QT_TRANSLATE_NOOP(
     "▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no "
     "calibration.",
 )
-NO_NOISE = QT_TRANSLATE_NOOP(
-    "Words", "{0} nT of |b| are left over in held-out rows; no noise is stated to compare it with."
-)
-NO_LIMITS = QT_TRANSLATE_NOOP("Words", "This run states no specification to judge it by.")
+NO_NOISE = QT_TRANSLATE_NOOP("Words", "{0} nT of |b| are left over; no noise is stated to compare it with.")
+NO_LIMITS = QT_TRANSLATE_NOOP("Words", "No specification is stated.")
 
 
 def no_fit_words(fits: Mapping[str, Fitted], *, others: bool) -> tuple[str, str, str, str]:

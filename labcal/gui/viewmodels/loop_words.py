@@ -38,7 +38,8 @@ NOT_DETERMINED = (
         "for. That says nothing against the DUT. What to measure stands at 4.",
     ),
 )
-OF_WHICH = QT_TRANSLATE_NOOP(
+OF_WHICH = QT_TRANSLATE_NOOP("Words", "with declared errors; noise alone {0} nT")
+OF_WHICH_WHOLE = QT_TRANSLATE_NOOP(
     "Words",
     "before → after: held-out rms of the vector, with the errors in it that the run declares of reference and "
     "mounting; noise alone, of one such row: {0} nT, {1}",
@@ -84,10 +85,14 @@ def as_a_drop(why: str) -> str:
     return FALLS.sub(drop, why)
 
 
-def of_which_error(loop: Loop) -> str:
-    """Of which error the two figures at the top are, and the noise beside them: of a row of the vector, not of |b|."""
+def of_which_error(loop: Loop) -> tuple[str, str]:
+    """Of which error the two figures at the top are, and the noise beside them, in short and whole.
+
+    It is of a row of the vector, not of |b|.
+    """
     floor = format_number(loop.noise_floor_nT, signed=False)
-    return translated(str(OF_WHICH)).format(floor, translated(loop.noise_floor_source))
+    whole = translated(str(OF_WHICH_WHOLE)).format(floor, translated(loop.noise_floor_source))
+    return translated(str(OF_WHICH)).format(floor), whole
 
 
 def not_determined(loop: Loop) -> bool:

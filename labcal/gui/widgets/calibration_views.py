@@ -83,8 +83,8 @@ class CalibrationViews(QWidget):
         self.tabs.setTabEnabled(at, there)
         self.tabs.setTabVisible(at, there)
         reasons = {
-            SPECIFIED: self.tr("The bench file stated no specification when the run was measured."),
-            CHANGED: self.tr("There is no earlier calibration of this DUT to compare it with."),
+            SPECIFIED: self.tr("No specification was stated for this run."),
+            CHANGED: self.tr("This DUT has no earlier calibration."),
         }
         self.missing.setText(" ".join(said for n, said in reasons.items() if not self.tabs.isTabEnabled(n)))
         self.missing.setVisible(bool(self.missing.text()))

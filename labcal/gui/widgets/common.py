@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from labcal.gui.theming.font import with_tabular_figures
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
 
@@ -214,10 +215,8 @@ class Card(Surface):
 
 
 def tabular_font() -> QFont:
-    """The interface's font with figures of one width, so that nothing jumps when a digit changes."""
-    font = QFont()
-    font.setFeature(QFont.Tag("tnum"), 1)
-    return font
+    """The interface's font with figures of one width."""
+    return with_tabular_figures(QFont())
 
 
 class ReadoutGrid(QWidget):

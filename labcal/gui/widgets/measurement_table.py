@@ -131,6 +131,11 @@ class Table(QTableWidget):
             if (heading := self.horizontalHeaderItem(column)) is not None:
                 heading.setTextAlignment(RIGHT)
 
+    def explain_heading(self, column: int, tip: str) -> None:
+        """What a column says, for who rests the mouse on its heading."""
+        if (heading := self.horizontalHeaderItem(column)) is not None:
+            heading.setToolTip(tip)
+
     def copy(self) -> None:
         """Selected rows to the clipboard, or all where none is."""
         rows = sorted({i.row() for i in self.selectedIndexes()}) or range(self.rowCount())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import datetime
 from functools import partial
 from typing import Protocol
 
@@ -162,8 +163,12 @@ class Trend(Card):
         self.plot.autoRange(padding=0.1)
         if limits:
             self.plot.setYRange(*self._reach(found, max(limits)))
-        if max(self._times) - min(self._times) < DAY_S:
-            self.plot.setXRange(min(self._times) - DAY_S, max(self._times) + DAY_S)
+        first, last = min(self._times), max(self._times)
+        of_one_day = last - first < DAY_S
+        if of_one_day:
+            self.plot.setXRange(first - DAY_S, last + DAY_S)
+        day = ((first + last) / 2, f"{datetime.fromtimestamp(first):%Y-%m-%d}")
+        self.plot.getAxis("bottom").setTicks([[day]] if of_one_day else None)  # hours of other days say nothing
         self.drawn.emit()
 
     def _limit(self, y: float, words: str) -> pg.InfiniteLine:
