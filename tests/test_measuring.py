@@ -45,7 +45,16 @@ def test_a_rehearsal_beyond_a_limit_fails_before_anything_moves() -> None:
 
 
 def test_without_consent_nothing_is_measured(one_axis: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(measuring, "proposed_procedures", lambda closed: ["platform-signature", "reverse", "repeat"])
+    monkeypatch.setattr(
+        measuring,
+        "proposed_procedures",
+        lambda closed: [
+            ("platform-signature", {}),
+            ("linearity", {"magnitude_nT": "1e9"}),
+            ("reverse", {"magnitude_nT": "30000"}),
+            ("repeat", {}),
+        ],
+    )
     plans: list[Rehearsal] = []
     before = len(session.runs())
 
@@ -54,7 +63,8 @@ def test_without_consent_nothing_is_measured(one_axis: str, monkeypatch: pytest.
         return False
 
     closed = close_by_measuring(one_axis, simulated_bench(), Talk(refuse), seed=SEED)
-    assert [plan.procedure for plan in plans] == ["reverse"]  # with the DUT taken away no segment is recorded
+    assert [plan.procedure for plan in plans] == ["reverse"]  # the first records no segment, the second is refused
+    assert plans[0].field_nT == pytest.approx(30000, abs=1)
     assert (closed.rounds, len(session.runs())) == ((), before)
 
 
@@ -68,7 +78,7 @@ def test_a_bench_that_holds_another_dut_is_refused(one_axis: str, tmp_path: Path
 def test_what_is_measured_is_added_and_kept_three_rounds_at_most(
     one_axis: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(measuring, "proposed_procedures", lambda closed: iter(["reverse"]))
+    monkeypatch.setattr(measuring, "proposed_procedures", lambda closed: [("reverse", {})])
     closed = close_by_measuring(one_axis, simulated_bench(), Talk(lambda plan: True), seed=SEED)
     assert [(r.procedure, r.verdict) for r in closed.rounds] == [("reverse", closed.verdict)]
     both = session.load_run(closed.run_id)

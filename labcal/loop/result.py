@@ -39,6 +39,7 @@ class NextExperiment:
     do: str
     procedure: str | None = None
     ranking: tuple[Ranked, ...] = ()  # what the lab can do, what separates most first
+    settings: Mapping[str, str] = field(default_factory=dict)  # with which the procedure does that
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +49,7 @@ class Ranked:
     do: str
     procedure: str | None
     sigma: float
+    settings: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -310,7 +310,7 @@ def with_installed_procedure(closed: ClosedLoop) -> ClosedLoop:
         return closed
     rivals = [{cause.effect, rival.effect} for cause in closed.accepted for rival in cause.rivals]
     fitting = (p.name for p in there.values() if any(set(pair) in rivals for pair in p.separates))
-    return replace(closed, next_experiment=replace(proposed, procedure=next(fitting, None)))
+    return replace(closed, next_experiment=replace(proposed, procedure=next(fitting, None), settings={}))
 
 
 def apply_calibration(

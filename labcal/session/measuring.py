@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -13,7 +14,7 @@ import numpy as np
 from labcal import session
 from labcal.bench.clock import Clock, VirtualClock
 from labcal.bench.config import read_config
-from labcal.errors import InputError
+from labcal.errors import InputError, LimitError
 from labcal.loop import ClosedLoop, Round
 from labcal.record import Run
 from labcal.record.join import GAP_S, joined
@@ -56,10 +57,10 @@ def close_by_measuring(
     closed = session.close_loop(run, out, talk.progress, report=report, force=force)
     rounds: list[Round] = []
     while not closed.done and len(rounds) < ROUNDS:
-        plan = _plan(closed, bench, {r.procedure for r in rounds}, seed)
+        plan, settings = _plan(closed, bench, {r.procedure for r in rounds}, seed)
         if plan is None or not talk.consent(plan):
             break
-        run, new = _measured(plan, run, bench, talk, seed)
+        run, new = _measured(plan, settings, run, bench, talk, seed)
         closed = session.close_loop(run, out, talk.progress, report=report, force=force)
         rounds.append(Round(plan.procedure, new, closed.verdict))
     return replace(closed, rounds=tuple(rounds))
@@ -71,31 +72,45 @@ def _refuse_another_dut(run: str, bench: Path) -> None:
         raise InputError(f"the bench holds {held}, the run is of {wanted}: nothing was moved", file=bench)
 
 
-def _plan(closed: ClosedLoop, bench: Path, done: set[str], seed: int | None) -> Rehearsal | None:
-    """The first experiment proposed, not done yet, that this bench can do and that records rows for the loop."""
-    for name in proposed_procedures(closed):
+def _plan(
+    closed: ClosedLoop, bench: Path, done: set[str], seed: int | None
+) -> tuple[Rehearsal | None, Mapping[str, str]]:
+    """The first experiment proposed, not done yet, that this bench can do and that records rows for the loop.
+
+    With the settings of its procedure. One whose settings this bench refuses, as beyond a limit, is passed over.
+    """
+    for name, settings in proposed_procedures(closed):
         if name in procedures() and name not in done:
-            plan = rehearsed(bench, find(name), {}, seed)
-            if plan.segments:
-                return plan
-    return None
+            with suppress(*((InputError, LimitError) if settings else ())):
+                plan = rehearsed(bench, find(name), settings, seed)
+                if plan.segments:
+                    return plan, settings
+    return None, {}
 
 
-def proposed_procedures(closed: ClosedLoop) -> Iterator[str]:
-    """What the loop would measure next, best first, then the procedure that always tells; each once."""
-    if closed.next_experiment is not None:
-        named = (closed.next_experiment.procedure, *(r.procedure for r in closed.next_experiment.ranking))
-        yield from dict.fromkeys(name for name in (*named, ALWAYS_TELLS) if name)
+def proposed_procedures(closed: ClosedLoop) -> Iterator[tuple[str, Mapping[str, str]]]:
+    """What the loop would measure next, best first, then the procedure that always tells; each once, with settings."""
+    if (proposed := closed.next_experiment) is not None:
+        ranked = [(r.procedure, r.settings) for r in proposed.ranking]
+        named = {name: given for name, given in reversed([(proposed.procedure, proposed.settings), *ranked]) if name}
+        order = dict.fromkeys(name for name in (proposed.procedure, *(name for name, _ in ranked)) if name)
+        yield from ((name, named[name]) for name in order)
+        if ALWAYS_TELLS not in order:
+            yield ALWAYS_TELLS, {}
 
 
-def _measured(plan: Rehearsal, run: str, bench: Path, talk: Talk, seed: int | None) -> tuple[str, str]:
+def _measured(
+    plan: Rehearsal, settings: Mapping[str, str], run: str, bench: Path, talk: Talk, seed: int | None
+) -> tuple[str, str]:
     """The id of the run of all rows so far and the new ones, and that of the new run."""
     clock: Clock | None = None
     if plan.simulated:
         start, now_s = goes_on(run)
         clock = VirtualClock(start)
         clock.wait_until(now_s)
-    outcome = session.run(plan.procedure, bench, answer=talk.answer, clock=clock, seed=seed, on_item=talk.on_item)
+    outcome = session.run(
+        plan.procedure, bench, settings, answer=talk.answer, clock=clock, seed=seed, on_item=talk.on_item
+    )
     if outcome.fault is not None:
         raise outcome.fault
     return together(run, outcome.run_id), outcome.run_id

@@ -6,7 +6,7 @@ model predicts it. `labcal.loop.design.discrimination` ranks them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,6 +29,7 @@ ROWS_A_FIELD = 5
 ROWS_A_LEVEL, ROWS_A_MODE = 3, 12  # of a load, of a power mode
 WARM_ROW_S, WARM_TURNS = 6.0, 20  # of a heated device: between two rows, and between two fields,
 WEAK_FIELD = 0.02  # of the usual one, and that
+OTHER, LARGEST_nT = (1 / 3, 2.0), 100_000.0  # of the coil field; that any procedure asks for
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +41,7 @@ class Experiment:
     design: Callable[[Run], Run | None]  # what it would record; None where this run's lab or device cannot do it
     alters: tuple[tuple[str, float], ...] = ()  # effects that it changes by a factor where the scene does not say so
     concerns: frozenset[str] = frozenset()  # effects that it is about; empty: about any
+    settings: Callable[[Run], Mapping[str, str]] = lambda run: {}  # with which the procedure does that, by name
 
 
 def experiments() -> tuple[Experiment, ...]:
@@ -50,7 +52,8 @@ def experiments() -> tuple[Experiment, ...]:
         Experiment("turn at half and at twice the rate, there and back, in one mounting", "rate-sweep", rates),
         Experiment("repeat the run unchanged", "repeat", repeat),
         Experiment("step the field up and down along one axis", "linearity", ladder),
-        Experiment("turn in two more coil fields, a third and twice as large", "rotate-axis", other_fields),
+        Experiment("turn in two more coil fields, a third and twice as large", "preflight", other_fields,
+                   settings=in_other_fields),
         Experiment("switch every load on and off at one attitude", "current-coupling", loads, concerns=loaded),
         Experiment("warm the device and let it cool in two fields", "temperature-drift", heated, concerns=warmed),
         Experiment("switch the power mode there and back at one attitude", None, modes, concerns=loaded),
@@ -130,7 +133,15 @@ def other_fields(run: Run) -> Run | None:
         return None
     first = thinned(again, ROWS // 2)
     later = replace(first, t_s=first.t_s + float(np.ptp(first.t_s)) + GAP_S)
-    return _joined([_scaled(first, 1 / 3), _scaled(later, 2.0)], list(first.segments), own=True)
+    return _joined([_scaled(first, OTHER[0]), _scaled(later, OTHER[1])], list(first.segments), own=True)
+
+
+def in_other_fields(run: Run) -> Mapping[str, str]:
+    """The settings of a preflight that turns so, in the run's own modes."""
+    usual_nT = float(np.nanmedian(run.magnitude_nT))
+    fields = ", ".join(f"{min(usual_nT * part, LARGEST_nT):.0f}" for part in OTHER)
+    modes = ", ".join(dict.fromkeys(s.mode for s in run.segments if s.mode))
+    return {"magnitudes_nT": fields, "reverse": "false"} | ({"modes": modes} if modes else {})
 
 
 def loads(run: Run) -> Run | None:

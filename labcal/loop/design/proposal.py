@@ -72,8 +72,12 @@ def _between_equivalents(found: Evidence, after: JointFit) -> NextExperiment:
     best = order[0]
     why = f"{equal}; the experiment would bring them {best.sigma:.0f} standard deviations apart, as the fit predicts"
     clear = [s for s in order[:LISTED] if s.sigma >= CLEAR]
-    listed = tuple(Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1)) for s in clear)
-    return NextExperiment(why, best.experiment.do, best.experiment.procedure, listed)
+    run = after.problem.run
+    listed = tuple(
+        Ranked(s.experiment.do, s.experiment.procedure, round(s.sigma, 1), s.experiment.settings(run)) for s in clear
+    )
+    settings = best.experiment.settings(run)
+    return NextExperiment(why, best.experiment.do, best.experiment.procedure, listed, settings)
 
 
 def _worst_case(tables: list[list[Separation]]) -> list[Separation]:
