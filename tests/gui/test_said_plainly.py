@@ -70,7 +70,7 @@ def test_instruments_have_words_beside_their_lights(still):
     lights = (("dut", "absent", ""), ("ref", "waiting", ""), ("stage", "ok", ""))
     still.show_state(LabState(bench="bench.toml", now=LabNow(lights=lights)))
     rows = [(row.mark.text(), row.age.text()) for row in still.side.rows if row.isVisible()]
-    assert rows == [("○", "not asked"), ("…", "not heard yet"), ("✓", "answers")]
+    assert rows == [("○", "not asked"), ("…", "not heard yet"), ("✓", "")], "who answers has its mark alone"
     still.show_state(LabState(bench="bench.toml", now=LabNow(lights=(("dut", "ok", ""), ("stage", "ok", "")))))
     assert "all answer" in words_in(still.side)
     assert not any(row.age.isVisible() for row in still.side.rows), "said once"
