@@ -22,7 +22,8 @@ from labcal.bench.coils.state import (
     PlatformReading,
     Witness,
 )
-from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.gui.ipc.bench_commands import procedures
+from labcal.gui.ipc.messages import Answer, ListProcedures, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.lab_faults import LAB_FAULTS
@@ -33,7 +34,6 @@ from labcal.gui.viewmodels.loop_words import without_evidence
 from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.parameter_form import title_of
 from labcal.record.stream import Prompt, Step
-from labcal.runner import catalogue
 
 ROOT = Path(__file__).parents[2]
 ROOMS = ("labcal", "drivers", "procedures")
@@ -99,7 +99,7 @@ def test_why_hands_are_kept_out_has_a_form_in_short(german):
 
 
 def test_all_that_procedures_say_of_themselves_has_a_form():
-    found = catalogue()[0].values()
+    found = procedures(None, ListProcedures()).found  # with the settings that are files
     settings = [one for procedure in found for one in procedure.parameters]
     said = {text for procedure in found for text in (procedure.title, procedure.needs)}
     said |= {text for one in settings for text in (one.help, one.expected, title_of(one))}

@@ -2107,6 +2107,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Change ppm</source>
         <translation type="unfinished"></translation>
     </message>

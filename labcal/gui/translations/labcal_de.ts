@@ -2107,6 +2107,10 @@
         <translation>Achse</translation>
     </message>
     <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
         <source>Change ppm</source>
         <translation>Änderung ppm</translation>
     </message>

@@ -2107,6 +2107,10 @@
         <translation>Axe</translation>
     </message>
     <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
         <source>Change ppm</source>
         <translation>Changement ppm</translation>
     </message>
