@@ -32,6 +32,7 @@ def shown(tmp_path, windows, lab, qtbot, patience):
     window = Window(app_state, LIGHT)
     windows.append(window)
     window.show()
+    window.open_page("Run")
     window.page("Run")
     app_state.open_bench(str(lab.file))
     app_state.set_identity(operator="J. Doe", dut="EM-07")

@@ -10,6 +10,7 @@ from shiboken6 import isValid
 
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.widgets.hold_button import LET_GO_MS
 from labcal.gui.window import Window
 
 SHORT = {"magnitudes_nT": "20000", "modes": "nominal", "rate_deg_per_s": "20", "zero_s": "3"}
@@ -95,6 +96,9 @@ class Hands:
             if run.state == "ended":
                 return
             asked = run.prompt
+            answer = self.window.page("Run").live.prompt.choices[asked.choices[0]]
+            self.until(answer.isEnabled)
+            self.bot.wait(LET_GO_MS)  # else the key counts as held since the question before
             self.bot.keyPress(QApplication.focusWidget() or self.window, Qt.Key.Key_F8)
             self.until(lambda before=asked: run.prompt is not before)
             self.bot.keyRelease(QApplication.focusWidget() or self.window, Qt.Key.Key_F8)
@@ -200,6 +204,8 @@ def signed(hands):
     hands.until(lambda: "approved by a.smith" in page.standing.text())
     for name in ("a.smith", "jdoe@lab"):
         hands.until(lambda n=name: n in [steps.signer.itemText(row) for row in range(steps.signer.count())])
+        if steps.signature.folded:  # one signature makes it valid: nothing is to be done any more, but it may be
+            hands.press(steps.signature.unfold)
         hands.choose(steps.signer.findText(name), steps.signer)
         hands.enter(steps.passphrase, f"sixteen reasons of {name}")
         hands.press(steps.sign)

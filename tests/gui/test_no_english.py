@@ -98,7 +98,8 @@ def data_words():
 
 UNITS = ("nT", "µT", "mT", "km", "mm", "Hz", "ppm", "deg", "degC")
 SETTINGS = ("none", "inertial", "nadir")  # values that `--set` takes, in the tip that says so
-OF_QT = ("Scroll", "Left", "Right", "Ctrl", "Tab")  # in Qt's own files: tests/gui/test_languages.py
+OF_QT = ("Scroll", "Left", "Right", "Down", "Ctrl", "Tab")  # in Qt's own files: tests/gui/test_languages.py
+WHO = ("THURLBY", "THANDAR", "PL", "QMT")  # the emulated supplies, as they name themselves
 DATA = {
     "labcal",
     "Deutsch",
@@ -114,6 +115,7 @@ DATA = {
     *UNITS,
     *SETTINGS,
     *OF_QT,
+    *WHO,
 }
 
 

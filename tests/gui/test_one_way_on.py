@@ -182,7 +182,7 @@ def test_another_language_on_the_fit_page_leaves_one_choice_its_legend_and_the_l
     lazy_page.page.idle_queue.finish()
     page = shown.window.page("Fit")
     assert page.views.against.isHidden()
-    assert page.views.words.text().startswith("orange: wie gelesen")
+    assert page.views.words.text().startswith("grau: wie gelesen")
     assert page.verdict.text().startswith("ml: ")
     assert app_state.lab.state.message == "Run r1: finished"
 

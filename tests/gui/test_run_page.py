@@ -128,10 +128,18 @@ def test_an_instrument_that_dies_is_named_and_the_coils_are_not_called_safe(qtbo
         assert window.top.simulated.isVisible()
         page = begin(qtbot, window, "axes-check", {})
         lab.kill()
+    card = page.live.prompt
+    qtbot.waitUntil(lambda: "No answer from supply_x" in card.details.text(), timeout=LONG_MS)
+    assert "supply_z" in card.details.text()
+    assert "NOT confirmed at zero" in card.hands.text()
+    assert not card.choices["done"].isEnabled()
+    qtbot.mouseClick(page.live.stop, Qt.MouseButton.LeftButton)  # the one answer that is left
     qtbot.waitUntil(lambda: window.app_state.run.state == "ended", timeout=LONG_MS)
     run = window.app_state.run
     assert run.fault.kind == "instrument"
-    assert page.live.fault.isVisible()
+    assert "supply_x" in run.fault.text
+    assert window.fault.isVisible()
+    assert window.fault.heading.text() == "✕ HANDS OFF: the coils may be on"
     assert not page.live.prompt.isVisible()
     assert not run.coils_at_zero
     assert [one.simulated for one in session.runs() if one.run_id == run.run_id] == [True]

@@ -7,18 +7,33 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QLocale
 
-from labcal.bench.coils.state import AT_ZERO, BY_SUPPLIES, BY_WORD, CoilReading, LabState, Witness
-from labcal.gui.ipc.messages import Answer, RunProcedure
+from labcal.bench.coils.state import (
+    AT_ZERO,
+    BY_SUPPLIES,
+    BY_WORD,
+    MAY_TURN,
+    NOT_BY_REFERENCE,
+    NOT_CONFIRMED,
+    NOT_SINCE,
+    NOT_YET,
+    ON,
+    CoilReading,
+    LabState,
+    PlatformReading,
+    Witness,
+)
+from labcal.gui.ipc.bench_commands import procedures
+from labcal.gui.ipc.messages import Answer, ListProcedures, RunProcedure
 from labcal.gui.translations import translate
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.lab_faults import LAB_FAULTS
 from labcal.gui.translations.sentences import COILS, FORMS, NAME_FORMS, form_of, in_words
+from labcal.gui.viewmodels.hands_now import reasons
 from labcal.gui.viewmodels.lab_now import LabNow
 from labcal.gui.viewmodels.loop_words import without_evidence
 from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.parameter_form import title_of
 from labcal.record.stream import Prompt, Step
-from labcal.runner import catalogue
 
 ROOT = Path(__file__).parents[2]
 ROOMS = ("labcal", "drivers", "procedures")
@@ -69,8 +84,22 @@ def test_every_sentence_about_the_coils_has_a_form():
             assert form != "coils on: {0}" or "read back" not in filled[0]
 
 
+def test_why_hands_are_kept_out_has_a_form_in_short(german):
+    """The largest red words were half in English: what is cut off for them has forms of its own."""
+    turning = PlatformReading(220.0, True, 10.0)
+    short = [*reasons(NOT_YET, turning.sentence(10.0)), *reasons(AT_ZERO, turning.sentence(40.0))]
+    assert short == [
+        "Spulen vielleicht an",
+        "Tisch dreht",
+        "Stillstand des Tisches NICHT bestätigt: bei 220° drehte er",
+    ]
+    whole = (NOT_CONFIRMED, NOT_BY_REFERENCE, NOT_SINCE, f"{ON}: x +0.161 A, read back 1 s ago", MAY_TURN)
+    cut = [one for coils in whole[:-1] for one in reasons(coils, whole[-1])]
+    assert [said for said in cut if "NOT" in said or "coil" in said or "platform" in said] == []
+
+
 def test_all_that_procedures_say_of_themselves_has_a_form():
-    found = catalogue()[0].values()
+    found = procedures(None, ListProcedures()).found  # with the settings that are files
     settings = [one for procedure in found for one in procedure.parameters]
     said = {text for procedure in found for text in (procedure.title, procedure.needs)}
     said |= {text for one in settings for text in (one.help, one.expected, title_of(one))}

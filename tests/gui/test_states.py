@@ -165,7 +165,8 @@ def test_what_happens_can_be_read_from_the_cage(still):
 def test_the_light_of_an_axis_is_on_before_it_is_dismounted_and_off_again_when_it_is_redone(still):
     still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
     lights, name = still.page("Run").live.lights, "x+20uT-nominal"
-    send(still, *INTO["measuring"], SegmentClosed(20.0))
+    steps = ("zero", name, "closure-x")  # a run that closes the axis looks at its delay and closure
+    send(still, Step(0.0, 2, 3, name, 60.0, steps, 20.0), SEGMENT, SegmentClosed(20.0))
     assert lights.worst["x"].text() == "X  ○"
     looks = (("missing sectors", 0.0, 0.0, 0.0), ("noise", 26.0, 1.0, 37.5), ("wrong signs", 0.0, 0.0, 0.0))
     send(still, *(Measurement(20.5, f"{name}: {what}", v, u, "", limit) for what, v, u, limit in looks))

@@ -70,7 +70,9 @@ def test_the_run_goes_on_at_the_same_page_and_is_switched_off_from_the_new_windo
     assert "broke off (SIGKILL)" in " ".join(said(window, "labcal gui:"))
     assert on(lab)
     assert said(window, "there") == ["1", page, worker, *order]  # the same process, the same page
-    assert "stopped by the operator" in " ".join(said(window, "ended"))
+    ended = " ".join(said(window, "ended"))
+    assert ended.startswith("failed: aborted by the operator")  # for the record, and for the person:
+    assert ended.endswith("field-hold: stopped by COILS OFF")
     assert at_zero(lab)
     assert window.wait(60) == 0
     [bundle] = (home() / "crashes").iterdir()

@@ -891,6 +891,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils may be on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>coils not read back since they were ordered off</source>
         <translation type="unfinished"></translation>
     </message>
@@ -899,7 +903,15 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>platform turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>platform turns, at {0}°, read {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2092,6 +2104,10 @@
     </message>
     <message>
         <source>Axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -891,6 +891,10 @@
         <translation>Spulen vielleicht an: eine Messung läuft, und noch nichts wurde gelesen</translation>
     </message>
     <message>
+        <source>coils may be on</source>
+        <translation>Spulen vielleicht an</translation>
+    </message>
+    <message>
         <source>coils not read back since they were ordered off</source>
         <translation>Spulen nicht zurückgelesen, seit ihr Ausschalten befohlen wurde</translation>
     </message>
@@ -899,8 +903,16 @@
         <translation>Spulen an</translation>
     </message>
     <message>
+        <source>platform turns</source>
+        <translation>Tisch dreht</translation>
+    </message>
+    <message>
         <source>platform turns, at {0}°, read {1}</source>
         <translation>Tisch dreht, bei {0}°, gelesen {1}</translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned</source>
+        <translation>Stillstand des Tisches NICHT bestätigt: bei {0}° drehte er</translation>
     </message>
     <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
@@ -2093,6 +2105,10 @@
     <message>
         <source>Axis</source>
         <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Change ppm</source>

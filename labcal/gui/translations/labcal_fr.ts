@@ -891,6 +891,10 @@
         <translation>bobines peut-être alimentées : une mesure est en cours, et rien n’a encore été lu</translation>
     </message>
     <message>
+        <source>coils may be on</source>
+        <translation>bobines peut-être alimentées</translation>
+    </message>
+    <message>
         <source>coils not read back since they were ordered off</source>
         <translation>bobines non relues depuis l’ordre de les couper</translation>
     </message>
@@ -899,8 +903,16 @@
         <translation>bobines alimentées</translation>
     </message>
     <message>
+        <source>platform turns</source>
+        <translation>la plate-forme tourne</translation>
+    </message>
+    <message>
         <source>platform turns, at {0}°, read {1}</source>
         <translation>la plate-forme tourne, à {0}°, lu {1}</translation>
+    </message>
+    <message>
+        <source>platform NOT confirmed at a standstill: at {0}° it turned</source>
+        <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait</translation>
     </message>
     <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
@@ -2093,6 +2105,10 @@
     <message>
         <source>Axis</source>
         <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
     </message>
     <message>
         <source>Change ppm</source>

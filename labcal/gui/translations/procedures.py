@@ -99,6 +99,7 @@ NAMES = (  # of settings, without their unit
     QT_TRANSLATE_NOOP("Data", "Attitude"),
     QT_TRANSLATE_NOOP("Data", "Axes"),
     QT_TRANSLATE_NOOP("Data", "Axis"),
+    QT_TRANSLATE_NOOP("Data", "Calibration"),
     QT_TRANSLATE_NOOP("Data", "Change ppm"),
     QT_TRANSLATE_NOOP("Data", "Channel"),
     QT_TRANSLATE_NOOP("Data", "Chip"),
