@@ -77,7 +77,8 @@ KINDS = {
     ),
     "run that is simulated": (
         "design.experiments:ROWS MIN_ROWS GAP_S WARMER_C CYCLES LADDER_nT LADDER_STEPS ROWS_A_FIELD "
-        "ROWS_A_LEVEL ROWS_A_MODE WARM_ROW_S WARM_TURNS WEAK_FIELD",
+        "ROWS_A_LEVEL ROWS_A_MODE WARM_ROW_S WARM_TURNS WEAK_FIELD OTHER "
+        "LARGEST_nT",
         "findings.working_range:SETTLED_S DIRECTIONS",
     ),
     "words for what is left, beside the verdict": (
