@@ -19,7 +19,7 @@ def test_from_an_empty_home_to_a_signed_file(qtbot, by_mouse, tmp_path, monkeypa
     window.show()
 
     def click(widget):
-        qtbot.waitUntil(lambda: widget.isVisible() and widget.isEnabled(), timeout=patience)
+        qtbot.waitUntil(lambda: widget.isEnabled() and not widget.visibleRegion().isEmpty(), timeout=patience)
         qtbot.mouseClick(widget, Qt.MouseButton.LeftButton)
 
     def primary(page):
