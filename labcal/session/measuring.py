@@ -90,13 +90,15 @@ def _plan(
 
 def proposed_procedures(closed: ClosedLoop) -> Iterator[tuple[str, Mapping[str, str]]]:
     """What the loop would measure next, best first, then the procedure that always tells; each once, with settings."""
-    if (proposed := closed.next_experiment) is not None:
-        ranked = [(r.procedure, r.settings) for r in proposed.ranking]
-        named = {name: given for name, given in reversed([(proposed.procedure, proposed.settings), *ranked]) if name}
-        order = dict.fromkeys(name for name in (proposed.procedure, *(name for name, _ in ranked)) if name)
-        yield from ((name, named[name]) for name in order)
-        if ALWAYS_TELLS not in order:
-            yield ALWAYS_TELLS, {}
+    if (proposed := closed.next_experiment) is None:
+        return
+    each_once: dict[str, Mapping[str, str]] = {}
+    ranked = ((one.procedure, one.settings) for one in proposed.ranking)
+    for name, settings in ((proposed.procedure, proposed.settings), *ranked):
+        if name:
+            each_once.setdefault(name, settings)
+    each_once.setdefault(ALWAYS_TELLS, {})
+    yield from each_once.items()
 
 
 def _measured(

@@ -133,15 +133,20 @@ def other_fields(run: Run) -> Run | None:
         return None
     first = thinned(again, ROWS // 2)
     later = replace(first, t_s=first.t_s + float(np.ptp(first.t_s)) + GAP_S)
-    return _joined([_scaled(first, OTHER[0]), _scaled(later, OTHER[1])], list(first.segments), own=True)
+    weaker, stronger = _other_parts(run)
+    return _joined([_scaled(first, weaker), _scaled(later, stronger)], list(first.segments), own=True)
 
 
 def in_other_fields(run: Run) -> Mapping[str, str]:
     """The settings of a preflight that turns so, in the run's own modes."""
-    usual_nT = float(np.nanmedian(run.magnitude_nT))
-    fields = ", ".join(f"{min(usual_nT * part, LARGEST_nT):.0f}" for part in OTHER)
+    fields = ", ".join(f"{np.nanmedian(run.magnitude_nT) * part:.0f}" for part in _other_parts(run))
     modes = ", ".join(dict.fromkeys(s.mode for s in run.segments if s.mode))
     return {"magnitudes_nT": fields, "reverse": "false"} | ({"modes": modes} if modes else {})
+
+
+def _other_parts(run: Run) -> tuple[float, float]:
+    """How many times the run's field the two others are."""
+    return OTHER[0], min(OTHER[1], LARGEST_nT / float(np.nanmedian(run.magnitude_nT)))
 
 
 def loads(run: Run) -> Run | None:
