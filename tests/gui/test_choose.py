@@ -11,10 +11,13 @@ from PySide6.QtWidgets import QApplication
 from labcal.gui.ipc.answers import Change, Ended, Look, Loop, Proposal
 from labcal.gui.ipc.bench_commands import procedures, rehearse
 from labcal.gui.ipc.messages import CloseLoop, JoinRuns, ListProcedures, LookAt, Rehearse, RunProcedure
+from labcal.gui.ipc.study_commands import proposal
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.path import Wanted
 from labcal.gui.widgets.parameter_form import ParameterForm
 from labcal.gui.widgets.typed_number import NotClear, number_stated
+from labcal.loop.result import NextExperiment
 from labcal.model.records import EffectRecord, Rival
 
 
@@ -223,6 +226,39 @@ def test_what_would_tell_causes_apart_is_not_measured_on_another_dut(qtbot, unde
     qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
     assert "This run is of EM-07; the DUT at the top is EM-08" in page.fault.text.text()
     assert undecided.app_state.bench_worker.asked == []
+
+
+def test_what_would_tell_them_apart_is_begun_with_the_settings_that_tell_and_the_next_run_with_the_usual(
+    qtbot, undecided
+):
+    still, page, study = undecided, undecided.page("Loop"), undecided.app_state.study_vm
+    choose, worker = still.page("Run").choose, still.app_state.bench_worker
+    still.app_state.open_procedure("preflight")
+    choose.form.set_text("zero_s", "30")  # as somebody likes it
+    found = NextExperiment("", "", "preflight", (), {"magnitudes_nT": "16667, 100000", "reverse": "false"})
+    study.loop = replace(told_by_the_loop(None), next_experiment=proposal(found))
+    study.changed.emit()
+    still.open_page("Loop")
+    qtbot.mouseClick(page.next, Qt.MouseButton.LeftButton)
+    given = {"magnitudes_nT": "16667, 100000", "reverse": "no"}
+    (asked,) = worker.commands()
+    assert asked == Rehearse("preflight", still.app_state.bench, given)
+    worker.answer(Rehearse, ("Preflight:",))
+    assert "the next run has the usual ones again" in choose.plan.text()
+    qtbot.mouseClick(choose.start, Qt.MouseButton.LeftButton)
+    assert [one.given for one in worker.commands(RunProcedure)] == [given]
+    assert choose.form.given() == {"zero_s": "30"}
+
+
+def test_settings_that_were_proposed_and_not_begun_are_gone_when_a_dut_is_calibrated(still, choose):
+    still.app_state.open_wanted(Wanted("preflight", settings={"rate_deg_per_s": "1e9"}))
+    assert choose.refused_field() is choose.form.fields["rate_deg_per_s"]  # it says so itself
+    still.app_state.open_procedure("preflight")
+    assert choose.form.given() == {}
+    still.app_state.open_wanted(Wanted("preflight", settings={"zero_s": "30"}))
+    choose.choose("reverse")
+    choose.choose("preflight")
+    assert choose.form.given() == {}
 
 
 def test_what_would_tell_them_apart_is_planned_in_words_started_by_a_click_and_decides_again(qtbot, undecided):

@@ -256,6 +256,7 @@ class Proposal:
     why: str
     do: str
     procedure: str | None = None
+    settings: Mapping[str, str] = field(default_factory=dict)  # with which the procedure does that
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -35,7 +35,7 @@ from labcal.system.given_back import give_back_memory
 
 if TYPE_CHECKING:
     from labcal.fit import Fit
-    from labcal.loop import ClosedLoop, Pictures
+    from labcal.loop import ClosedLoop, NextExperiment, Pictures
 
 MAX_POINTS = 1500  # rows in a picture
 
@@ -154,7 +154,7 @@ def loop(channel: Channel, asked: CloseLoop) -> Loop:
 def _loop_answer(closed: ClosedLoop, draft: str, change: Change) -> Loop:
     from labcal.model.effects import families
 
-    proposed = closed.next_experiment
+    next_one = closed.next_experiment
     return Loop(
         verdict=closed.verdict,
         summary=closed.summary,
@@ -165,12 +165,17 @@ def _loop_answer(closed: ClosedLoop, draft: str, change: Change) -> Loop:
         set_aside=closed.set_aside,
         accepted=closed.accepted,
         rejected=closed.rejected,
-        next_experiment=None if proposed is None else Proposal(proposed.why, proposed.do, proposed.procedure),
+        next_experiment=None if next_one is None else proposal(next_one),
         remarks=closed.remarks,
         draft=draft,
         change=change,
         drawn_against={family.id: family.drawn_against for family in families()},
     )
+
+
+def proposal(one: NextExperiment) -> Proposal:
+    """What the loop would measure next, as the window shows it and begins it."""
+    return Proposal(one.why, one.do, one.procedure, one.settings)
 
 
 def together(channel: Channel, asked: JoinRuns) -> str:

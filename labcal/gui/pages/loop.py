@@ -17,7 +17,7 @@ from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
 from labcal.gui.viewmodels.loop_causes import Cause, CauseRow, cause
 from labcal.gui.viewmodels.loop_words import headline, not_determined, of_which_error, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.viewmodels.path import EXPLAINED
+from labcal.gui.viewmodels.path import EXPLAINED, Wanted
 from labcal.gui.widgets.causes_table import CausesTable
 from labcal.gui.widgets.common import (
     Card,
@@ -191,7 +191,7 @@ class LoopPage(QWidget):
             words = self.tr("This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.")
             return self.fault.show_fault(Fault("input", words.format(mine, there)))
         self._study.want(proposed.procedure)
-        return self._app_state.open_procedure(proposed.procedure, plan=True)
+        return self._app_state.open_wanted(Wanted(proposed.procedure, plan=True, settings=proposed.settings))
 
     def set_theme(self, theme: Theme) -> None:
         """States, bars and points in the theme's colours."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -51,10 +51,10 @@ class RunPage(QWidget):
         self._show()
         yield True
 
-    def open_procedure(self, names: str) -> None:
-        """Show the form of a procedure, unless a run goes on."""
+    def open_procedure(self, names: str, settings: Mapping[str, str] | None = None) -> None:
+        """Show the form of a procedure, with the settings that it is proposed with, unless a run goes on."""
         if not self._app_state.run.alive:
-            self.choose.choose(names)
+            self.choose.choose(names, settings)
             self.faces.setCurrentWidget(self.choose)
 
     @property
@@ -64,7 +64,7 @@ class RunPage(QWidget):
 
     def _open_wanted(self) -> None:
         if (wanted := self._app_state.take_wanted()) is not None:
-            self.open_procedure(wanted.names)
+            self.open_procedure(wanted.names, wanted.settings)
             if wanted.plan:
                 self.choose.rehearse()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import re
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -20,7 +20,8 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.viewmodels.path import Wanted
+from labcal.gui.viewmodels.plan_words import needs_text, plan_line
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.flow import Flow
@@ -31,7 +32,6 @@ from labcal.gui.widgets.parameter_form import ParameterForm, title_of
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.widgets.work_bar import WorkBar
 
-ASKED = re.compile(r"– (?P<text>.*?)(?: \((?P<times>\d+)×(?:: (?P<steps>.*))?\))?")  # a line of a plan
 AREA_PX = 18 * GRID  # of the settings: below a long plan, too, some are in sight
 HEADING = Qt.ItemDataRole.UserRole  # of an item that is no procedure
 PACE_WORDS = {"true": "real time"}
@@ -45,8 +45,12 @@ class Choose(QWidget):
         self._app_state, self._idle_queue = app_state, IdleQueue(self)
         self._procedures: dict[str, Procedure] = {}
         self.form: ParameterForm | None = None
-        self._wanted, self._plan_wanted = "preflight", False
+        self._wanted, self._plan_wanted = Wanted("preflight"), False
         self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
+        self._proposed, self._is_as_proposed = (
+            Wanted(""),
+            False,
+        )  # with its settings; shown so
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
         self._planned_on: Bench | None = None  # whose plan it is
@@ -211,7 +215,8 @@ class Choose(QWidget):
         if not study.wanted or item.text() != study.wanted:
             return []
         words = self.tr("What this measures is added to run {0}; then the cause is decided again, by itself.")
-        return [words.format(study.run)]
+        mine = self.tr("Its settings are those that tell most there; the next run has the usual ones again.")
+        return [words.format(study.run), *([mine] if self._is_as_proposed else [])]
 
     def _other_settings(self) -> None:
         """A plan is that of its settings."""
@@ -241,7 +246,7 @@ class Choose(QWidget):
             broken = QListWidgetItem(f"✕ {name}", self.list)
             broken.setFlags(Qt.ItemFlag.NoItemFlags)
             broken.setToolTip(fault)
-        self.choose(self._wanted)
+        self.choose(self._wanted.names, self._wanted.settings)
         if self._plan_wanted:
             self.rehearse()
 
@@ -272,13 +277,19 @@ class Choose(QWidget):
         about = " ".join((*said, *map(in_words, said)))
         return all(word in about.casefold() for word in self.search.text().casefold().split())
 
-    def choose(self, names: str) -> None:
-        """Choose the first procedure there is of `names`, apart by |; also before the list is known."""
-        self._wanted = names
-        for name in names.split("|"):
-            if found := self.list.findItems(name, Qt.MatchFlag.MatchExactly):
-                return self.list.setCurrentItem(found[0])
-        return None
+    def choose(self, names: str, settings: Mapping[str, str] | None = None) -> None:
+        """Choose the first procedure there is of `names`, apart by |; also before the list is known.
+
+        With `settings` its form is as it is proposed, for one run; what was typed there before stays for the next.
+        """
+        self._wanted = Wanted(names, settings=settings or {})
+        found = (self.list.findItems(name, Qt.MatchFlag.MatchExactly) for name in names.split("|"))
+        if (item := next((items[0] for items in found if items), None)) is None:
+            return
+        self._proposed = Wanted(item.text(), settings=self._wanted.settings)
+        if item is self.list.currentItem() and (settings or self._is_as_proposed):
+            self._chosen(item.text())
+        self.list.setCurrentItem(item)
 
     def _chosen(self, name: str) -> None:
         self._keep_typed()
@@ -292,8 +303,11 @@ class Choose(QWidget):
         self._limits = modes, fastest = _limits_of(self._app_state.facts)
         self.form = ParameterForm([for_rate(for_modes(spec, modes), fastest) for spec in one.parameters])
         self._shown = name
-        for key, text in self._typed.get(name, {}).items():
+        proposed = self._proposed.settings if self._proposed.names == name else {}
+        self._is_as_proposed = bool(proposed)
+        for key, text in ({} if proposed else self._typed.get(name, {})).items():
             self.form.set_text(key, text)
+        self.form.propose(proposed)
         self.form.changed.connect(self._other_settings)
         self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
@@ -314,7 +328,7 @@ class Choose(QWidget):
 
     def _keep_typed(self) -> None:
         """Whoever comes back to a procedure finds its settings as they were typed."""
-        if self.form is not None and self._shown in self._procedures:
+        if self.form is not None and self._shown in self._procedures and not self._is_as_proposed:
             self._typed[self._shown] = self.form.texts()
 
     def _show_form(self, form: ParameterForm) -> None:
@@ -360,30 +374,12 @@ class Choose(QWidget):
         return None if self.form is None or refused is None else self.form.fields[refused.name]
 
     def _start(self) -> None:
-        if self.form is not None:
-            self._app_state.start(self.list.currentItem().text(), self.form.given())
-
-
-def needs_text(one: Procedure, *, plannable: bool = True) -> str:
-    """What a procedure needs, and how long it takes: as many lines whatever is known, so that no field moves.
-
-    Where a plan cannot be asked for, nothing points to it.
-    """
-    needs = translated("Needs: {0}").format(in_words(one.needs)) if one.needs else ""
-    lasts = translated("The plan says how long this takes") if plannable else "\u00a0"
-    if one.lasts_min:
-        lasts = translated("About {0:g} min of measuring, and your own time beside it").format(one.lasts_min)
-    return "\n".join(part for part in (needs, lasts) if part)
-
-
-def plan_line(line: str) -> str:
-    """A line of the plan, a question with its dash before it, in the window's language."""
-    asked = ASKED.fullmatch(line)
-    if asked is None:
-        return in_words(line)
-    steps = ", ".join(map(step_title, asked["steps"].split(", "))) if asked["steps"] else ""
-    often = f" ({asked['times']}×{f': {steps}' if steps else ''})" if asked["times"] else ""
-    return f"– {in_words(asked['text'])}{often}"
+        if self.form is None:
+            return
+        self._app_state.start(self.list.currentItem().text(), self.form.given())
+        if self._is_as_proposed:  # for one run
+            self._proposed = Wanted("")
+            self._chosen(self._shown)
 
 
 def _limits_of(facts: Bench | None) -> tuple[tuple[str, ...], float | None]:

@@ -546,6 +546,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Its settings are those that tell most there; the next run has the usual ones again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Correct what is red at the top.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -546,6 +546,10 @@
         <translation>Was dies misst, kommt zur Messung {0}; danach wird die Ursache von selbst neu entschieden.</translation>
     </message>
     <message>
+        <source>Its settings are those that tell most there; the next run has the usual ones again.</source>
+        <translation>Die Einstellungen sind die, die dort am meisten sagen; die nächste Messung hat wieder die üblichen.</translation>
+    </message>
+    <message>
         <source>Correct what is red at the top.</source>
         <translation>Berichtigen Sie, was oben rot ist.</translation>
     </message>

@@ -546,6 +546,10 @@
         <translation>Ce que cela mesure s&apos;ajoute à la mesure {0} ; puis la cause est de nouveau décidée, d&apos;elle-même.</translation>
     </message>
     <message>
+        <source>Its settings are those that tell most there; the next run has the usual ones again.</source>
+        <translation>Les réglages sont ceux qui en disent le plus ; la mesure suivante a de nouveau les habituels.</translation>
+    </message>
+    <message>
         <source>Correct what is red at the top.</source>
         <translation>Corrigez ce qui est rouge en haut.</translation>
     </message>

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -61,6 +62,7 @@ class Wanted:
 
     names: str
     plan: bool = False
+    settings: Mapping[str, str] = field(default_factory=dict)  # that it is proposed with, for this once
 
 
 class PathViewModel(QObject):

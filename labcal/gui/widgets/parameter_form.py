@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +48,13 @@ def _one(value: Any) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     return f"{value:g}" if isinstance(value, float) and abs(value) < 1e6 else str(value)
+
+
+def _as_typed(spec: ParameterSpec, text: str) -> str:
+    try:
+        return as_text(spec, spec.parse(text))
+    except InputError:
+        return text
 
 
 def range_of(spec: ParameterSpec) -> str:
@@ -187,6 +194,12 @@ class ParameterForm(QWidget):
             field.setCurrentIndex(at if (at := field.findData(text)) >= 0 else field.currentIndex())
         else:
             field.setText(text)
+
+    def propose(self, settings: Mapping[str, str]) -> None:
+        """Write in what is stated as `--set` takes it; what is not accepted too, which its field then says."""
+        for spec in self._specs:
+            if spec.name in settings:
+                self.set_text(spec.name, _as_typed(spec, settings[spec.name]))
 
     def stated(self, spec: ParameterSpec) -> str:
         """What stands in a field, as `--set` takes it: with a point. Raises NotClear."""
