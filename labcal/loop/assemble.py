@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from labcal.fit.vector.observations import SCALAR
 from labcal.loop import policy
 from labcal.loop.beginnings import astray_nT, with_beginnings
+from labcal.loop.beside_rivals import beside_rivals
 from labcal.loop.candidates.scorer import Scored
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.loop.data.noise_floor import noise_beside_readings
@@ -67,9 +68,10 @@ def assemble(run: Run, found: Evidence, before: JointFit, after: JointFit, aside
     of_effects = _records(found, after, uncertain)
     unsupported = working_range.unsupported(run, found.accepted, after)
     shipped, errors, beside_nT = _shipped(found, after, unsupported)
+    of_shipped = uncertain if shipped is after else uncertainty_of(shipped)
     of_file = of_the_file(
         shipped,
-        uncertain if shipped is after else uncertainty_of(shipped),
+        replace(of_shipped, declared=(*of_shipped.declared, *beside_rivals(found, shipped, unsupported))),
         [c.belongs_to == "sensor" for i, c in enumerate(found.accepted) if i not in unsupported],
     )
     of_declared = declared.finding(found.level) if declared else None

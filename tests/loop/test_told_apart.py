@@ -5,9 +5,11 @@ Runs of the blind programs whose answers were wrong, each made again alone by it
 
 from __future__ import annotations
 
+import importlib
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -23,6 +25,13 @@ from labcal.record import Run
 from labcal.store import read_bundle
 
 BLIND = Path(__file__).parents[1] / "blind"
+
+
+@pytest.fixture
+def score(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    """What counts the answers of a blind trial."""
+    monkeypatch.syspath_prepend(str(BLIND))
+    return importlib.import_module("score")
 
 
 def made(program: str, index: int, folder: Path, seed: int = 29111) -> Run:
@@ -83,6 +92,14 @@ def test_iron_that_would_give_another_map_is_a_rival(tmp_path: Path) -> None:
     """The coils' own fields at the device fit as well, but beside them the sensor's gain is 1 % off."""
     closed = answer("magnets.py", 65, tmp_path)
     assert named(closed) == [("field-gradient", ["cage-field"])]
+
+
+def test_u_holds_the_map_that_goes_with_the_rival(tmp_path: Path, score: ModuleType) -> None:
+    """The same run, whose true map is the rival's: without it the field is off by six times what is stated."""
+    made("magnets.py", 65, tmp_path)
+    said = score.put_through(tmp_path / "b0065")
+    assert said["fresh"] > 5 * said["knew"]
+    assert 0.5 < said["over_stated"] < 1.5
 
 
 @pytest.mark.slow

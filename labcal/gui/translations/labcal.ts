@@ -3599,6 +3599,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} in place of {1}: another map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What is left is within what the run declares: {0}.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -3599,6 +3599,10 @@
         <translation>{0}: was K und k ebenso nehmen</translation>
     </message>
     <message>
+        <source>{0} in place of {1}: another map</source>
+        <translation>{0} statt {1}: eine andere Abbildung</translation>
+    </message>
+    <message>
         <source>What is left is within what the run declares: {0}.</source>
         <translation>Was übrig ist, liegt in dem, was die Messung angibt: {0}.</translation>
     </message>

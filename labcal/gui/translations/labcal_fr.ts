@@ -3599,6 +3599,10 @@
         <translation>{0} : ce que K et k prennent aussi</translation>
     </message>
     <message>
+        <source>{0} in place of {1}: another map</source>
+        <translation>{0} au lieu de {1} : une autre transformation</translation>
+    </message>
+    <message>
         <source>What is left is within what the run declares: {0}.</source>
         <translation>Ce qui reste est dans ce que la mesure déclare : {0}.</translation>
     </message>

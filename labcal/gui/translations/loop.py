@@ -148,6 +148,7 @@ FINDINGS = (  # of the data and the rig
         "that out: the held-out error does not hold it, u_nT does.",
     ),
     QT_TRANSLATE_NOOP("Data", "{0}: what K and k take as well"),
+    QT_TRANSLATE_NOOP("Data", "{0} in place of {1}: another map"),
     QT_TRANSLATE_NOOP("Data", "What is left is within what the run declares: {0}."),
     QT_TRANSLATE_NOOP("Data", "What is left has the shape of what the run declares, and is larger: {0}."),
     QT_TRANSLATE_NOOP("Data", "What is left {0}."),

@@ -40,13 +40,18 @@ def equivalent_models(
     apart = [w for w in rest if not is_the_same_here(pool, others, chosen, w.candidate)]
     for w in [first, *apart][: MAX_TRIED + 1]:
         mine = chosen if w.candidate.cause == chosen.cause else w.candidate
-        swapped = [mine if c is chosen else c for c in accepted]
-        if chosen.family.id in mine.family.extends:
-            swapped = [*accepted, mine]
+        swapped = in_place_of(accepted, chosen, mine)
         either = cross_validate(pool, blocks, fixed_choice(swapped), accepted)
         if not out or not_worse(either):
             out.append(Equivalent(w, either.after))
     return out
+
+
+def in_place_of(accepted: Sequence[Candidate], chosen: Candidate, other: Candidate) -> list[Candidate]:
+    """The effects with `other` for `chosen`, or beside it where it extends that."""
+    if chosen.family.id in other.family.extends:
+        return [*accepted, other]
+    return [other if one is chosen else one for one in accepted]
 
 
 def is_the_same_here(pool: CandidateSet, others: Sequence[Candidate], chosen: Candidate, other: Candidate) -> bool:
