@@ -102,14 +102,16 @@ def candidates(run: Run) -> list[Term]:
     across_cage = _across([s.axis_cage for s in segments if s.axis_cage is not None])
     common, wobble = (tuple((f"cage_{w}{a}", "deg") for w in ws for a in across_cage) for ws in (("",), WOBBLE))
     spindle = tuple((f"spindle_{a}", "deg") for a in across_cage)
-    pairs = itertools.combinations_with_replacement(across_cage, 2)
+    pairs = tuple(itertools.combinations_with_replacement(across_cage, 2))
     squares = tuple((f"cage_{a}{b}", "deg^2") for a, b in pairs)
     forms = (common, spindle, common + squares, common + wobble)
     terms = [Term(kernel, form) for form in forms]
     mounted = np.unique(np.round([s.axis_body for s in segments if s.axis_body is not None], 6), axis=0)
     if len(mounted) > 1:
         numbered = list(enumerate(mounted, start=1))
-        terms.append(Term(kernel, tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)))
+        each_axis = tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)
+        terms.append(Term(kernel, each_axis))
+        terms.append(Term(kernel, each_axis + tuple((f"cage_{i}:{a}{b}", "deg^2") for i, _ in numbered for a, b in pairs)))
         body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
         terms.append(Term(kernel, body))
         terms.append(Term(kernel, (*common, *body)))  # levelled on the cage: its axis is tilted in both
