@@ -21,6 +21,7 @@ from labcal.loop.selection.joint_fit import JointFit, in_sample_rms, joint_fit
 from labcal.loop.selection.proof import Evidence, prove, relinearised
 from labcal.loop.selection.second_order import in_full
 from labcal.loop.selection.select import Selection, contribution, select
+from labcal.loop.selection.taken_apart import taken_apart
 
 MAX_SEARCHES = 3  # again, each without what the fit before gave up
 Chances = Callable[[JointFit], Sequence[float]]
@@ -38,7 +39,9 @@ def final_fit(
     while found.accepted:
         found, fitted = in_full(problem, found, nearest_fit(problem, found))
         left = in_sample_rms(fitted)
-        if not carries_them(left, found):
+        if carried := carries_them(left, found):
+            found, fitted = taken_apart(found, fitted)
+        if not carried:
             place = _least_missed(problem, found)
             not_carried[found.accepted[place].cause] = left
         elif (large := _beyond_half(found, fitted)) is not None:

@@ -111,7 +111,9 @@ def candidates(run: Run) -> list[Term]:
         numbered = list(enumerate(mounted, start=1))
         each_axis = tuple((f"cage_{i}:{a}", "deg") for i, _ in numbered for a in across_cage)
         terms.append(Term(kernel, each_axis))
-        terms.append(Term(kernel, each_axis + tuple((f"cage_{i}:{a}{b}", "deg^2") for i, _ in numbered for a, b in pairs)))
+        terms.append(
+            Term(kernel, each_axis + tuple((f"cage_{i}:{a}{b}", "deg^2") for i, _ in numbered for a, b in pairs))
+        )
         body = tuple((f"body_{i}:{a}", "deg") for i, axis in numbered for a in _across([tuple(axis)]))
         terms.append(Term(kernel, body))
         terms.append(Term(kernel, (*common, *body)))  # levelled on the cage: its axis is tilted in both

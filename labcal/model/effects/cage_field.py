@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,15 +21,15 @@ from labcal.record.run import Channel
 
 HARMONICS = (1, 2, 3)  # of the platform angle
 MOST_MOUNTINGS = 30  # in which the angle may count from a zero of its own
-NAME = re.compile(r"(q)?([a-z]*\d?)_([xyzuvw])")
+NAME = re.compile(r"(q)?([a-z]*\d?)_([xyzuvw]{1,2})")
 
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is.
 
     `q_x`, `qcos1_x` … for each unit of a channel, `step_x` … from t_step on. θ counts from `zero_2_rad` in the second
-    mounting. `bx_y` along y of C for each unit of the reference along x; `t…` of iron that turns with the table
-    (`effects.iron`).
+    mounting. `bx_y` along y of C for each unit of the reference along x, `b_xy` also along x for each along y,
+    `bturn_z` the reference turned about z; `t…` of iron that turns with the table (`effects.iron`).
     """
     assert scene.rig is not None
     rig, parts = _from_zero(scene.rig, term), [_part(name) for name, _ in term.parameters]
@@ -37,11 +38,22 @@ def kernel(term: Term, scene: Scene) -> Array:
     for place, part in enumerate(parts):
         if part.kind.startswith("t"):
             out[:, :, place] = iron.column(part.kind, part.along, turned, rig.prediction_nT)
+        elif part.kind == "b":
+            out[:, :, place] = _both_ways(rig, *(AXES.index(a) for a in part.along))
+        elif part.kind == "bturn":
+            turned_nT = np.cross(np.eye(3)[AXES.index(part.along)], rig.reference_nT)
+            out[:, :, place] = np.einsum("nij,nj->ni", rig.to_body, turned_nT)
         else:
             out[:, :, place] = rig.to_body[:, :, AXES.index(part.along)] * _drive(part, term, scene.t_s, rig)[:, None]
         if part.driven:
             out[:, :, place] *= term.drive(scene)[:, None]
     return out
+
+
+def _both_ways(rig: Rig, one: int, other: int) -> Array:
+    """Along each of two axes of the cage what the reference along the other drives (n, 3); along one axis once."""
+    driven = rig.to_body[:, :, one] * rig.reference_nT[:, [other]]
+    return driven if one == other else driven + rig.to_body[:, :, other] * rig.reference_nT[:, [one]]
 
 
 def _from_zero(rig: Rig, term: Term) -> Rig:
@@ -153,6 +165,11 @@ def _may_be_missed(chosen: Term, other: Term) -> bool:
     return not irons or iron.kinds([name for name, _ in other.parameters]) <= irons
 
 
+def _holds_a_lean(term: Term, beta: Array, covariance: Array) -> tuple[Sequence[Term], str]:
+    forms = iron.without_lean(term.parameters, beta, covariance)
+    return [replace(term, parameters=form) for form in forms], "axis-tilt"
+
+
 CAGE_OR_ZERO = Confounded("a constant field of the cage", "a zero error of the reference", "turn the reference by 180°")
 IRON_OR_LEAN = Confounded(
     "iron beside the cage",
@@ -167,6 +184,7 @@ FAMILY = Family(
     shapes=(STEP, *(_zero(number) for number in range(2, MOST_MOUNTINGS + 1))),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
     responds={"bare platform": 1.0},
+    holds_another=_holds_a_lean,
     sums_to_zero=lambda term: iron.diagonal([name for name, _ in term.parameters]),
     confounded=(CAGE_OR_ZERO, IRON_OR_LEAN),
     drawn_against="angle",

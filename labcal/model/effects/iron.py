@@ -8,7 +8,7 @@ and 2 of the platform angle, within one mounting it is the device's own soft iro
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import product
+from itertools import combinations_with_replacement, product
 
 import numpy as np
 
@@ -20,6 +20,8 @@ Names = tuple[tuple[str, str], ...]
 TABLE = ("u", "v", "w")  # axes that turn with the table, w along the platform's
 REMANENT = tuple((f"t_{a}", "nT") for a in TABLE)
 BESIDE: Names = tuple((f"b{driven}_{a}", "1") for driven, a in product(AXES, AXES))
+SYMMETRIC: Names = tuple((f"b_{one}{other}", "1") for one, other in combinations_with_replacement(AXES, 2))
+SURE = 2.0  # standard uncertainties
 ON_TABLE: Names = (*REMANENT, *((f"t{driven}_{a}", "1") for driven, a in product(TABLE, TABLE)))
 
 
@@ -33,8 +35,31 @@ def diagonal(names: Sequence[str]) -> tuple[str, ...]:
 
     A dipole's field tensor has no trace, nor has its product with the answer of a body that is alike in all directions.
     """
-    wholes = ([f"b{a}_{a}" for a in AXES], [f"t{a}_{a}" for a in TABLE])
+    wholes = ([f"b{a}_{a}" for a in AXES], [f"b_{a}{a}" for a in AXES], [f"t{a}_{a}" for a in TABLE])
     return next((tuple(whole) for whole in wholes if set(whole) <= set(names)), ())
+
+
+def without_lean(names: Names, beta: Array, covariance: Array) -> tuple[Names, ...]:
+    """Forms of iron beside the cage without a lean, where its fitted tensor is more of a turn than iron can be.
+
+    The symmetric one, and those with a turn about one axis, which the platform's may be.
+
+    A body at r answers the field by T = D P: D, the field of a dipole there, is symmetric, and so is its
+    polarisability P, which has no negative value. Then tr T² = tr (√P D √P)² is not negative, and T = S + A has no
+    larger part A that turns than S that does not. A lean of the platform is all A. The trace, which the device's map
+    takes as well, counts as zero, as it is of a body that is alike in all directions.
+    """
+    places = [names.index(one) for one in BESIDE if one in names]
+    if len(places) < len(BESIDE):
+        return ()
+    T = beta[places].reshape(3, 3)  # by what drives it, then along what
+    S, A = (T + T.T) / 2 - np.eye(3) * np.trace(T) / 3, (T - T.T) / 2
+    slope = 2 * (A - S).ravel()
+    u = float(np.sqrt(slope @ covariance[np.ix_(places, places)] @ slope))
+    if np.sum(A**2) - np.sum(S**2) <= SURE * u:
+        return ()
+    symmetric = (*(one for one in names if one not in BESIDE), *SYMMETRIC)
+    return (symmetric, *((*symmetric, (f"bturn_{axis}", "1")) for axis in AXES))
 
 
 def table_axes(rig: Rig) -> Array:

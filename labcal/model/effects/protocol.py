@@ -48,6 +48,11 @@ def no_simpler(term: Term, fitted: Array) -> Term | None:
     return None
 
 
+def itself_alone(term: Term, beta: Array, covariance: Array) -> tuple[Sequence[Term], str]:
+    """No other cause."""
+    return (), ""
+
+
 def no_parameters(term: Term) -> Sequence[str]:
     """None of a term's parameters."""
     return ()
@@ -94,6 +99,8 @@ class Family:
     related: tuple[str, ...] = ()  # families whose shapes a more general form of it would have
     may_be_missed: Callable[[Term, Term], bool] = of_one_family  # whether the second is what the first may lack of it
     simpler: Callable[[Term, Array], Term | None] = no_simpler  # the smaller form that fitted parameters come to
+    holds_another: Callable[[Term, Array, Array], tuple[Sequence[Term], str]] = itself_alone  # by fitted parameters and
+    # their covariance: forms that may be left of it, and the family that did the rest, where it cannot have done it all
     sums_to_zero: Callable[[Term], Sequence[str]] = no_parameters  # linear parameters whose sum is, where no run tells
     time_constants: Callable[[Term], Sequence[float]] = memory.time_constants  # of its responses [s]: each settles
 
