@@ -31,6 +31,15 @@ def test_the_last_runs_reach_to_the_end_of_a_large_page_and_are_more_than_there_
     assert left <= 2 * page.layout().contentsMargins().bottom() + 1  # the card's own, and the page's
 
 
+def test_of_few_runs_the_table_ends_with_the_last_and_the_page_of_many_is_not_rolled(new_window):
+    stored(new_window, RUN, replace(RUN, run_id="r2"))
+    page = brought_to(new_window, 1920, 1080)
+    assert page.runs.viewport().height() < 3.5 * page.runs.rowHeight(0)
+    stored(new_window, *(replace(RUN, run_id=f"r{n}") for n in range(AT_ONCE)))
+    brought_to(new_window, 1360, 860)
+    assert not new_window.lazy_pages["Start"].area.verticalScrollBar().isVisible()
+
+
 @pytest.mark.parametrize("size", [(1024, 700), (1920, 1080)])
 def test_every_run_that_is_to_be_gone_on_with_has_its_button_and_none_is_wider_than_its_words(new_window, size):
     interrupted(new_window)

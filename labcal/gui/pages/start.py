@@ -36,8 +36,8 @@ from labcal.gui.widgets.way_ahead import WayAhead
 DUE_DAYS = 365
 LISTED = 3  # interrupted runs
 LAST, LAST_WIDE = 3, AT_ONCE  # runs, where their card has the width of half the page, and of all of it
-SEEN = 10  # of them without rolling, in a window of a usual height
 LAST_RUNS = ("started", "DUT", "result", "calibration", "procedure")
+SEEN = LAST  # of them before the page is rolled; where there is more room all
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 
@@ -147,6 +147,7 @@ class StartPage(QWidget):
         card = Card(self.tr("Last runs"), " ")
         self.counted, self.no_runs, self.runs = card.unit, label("", wrap=True), Table(LAST_RUNS, len(LAST_RUNS) - 1)
         self.runs.show_rows(SEEN, LAST)
+        self.runs.end_with_rows()
         self.way_ahead = WayAhead()
         for part in (self.no_runs, self.way_ahead):
             card.body.addWidget(part)
