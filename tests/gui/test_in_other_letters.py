@@ -5,12 +5,15 @@ from itertools import combinations
 import pytest
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont
+from PySide6.QtWidgets import QApplication, QVBoxLayout
 from test_nothing_is_cut import TURNED, begun, doubted, other_language, settle
 
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.widgets import camera_view
 from labcal.gui.widgets.camera_view import CameraView
+from labcal.gui.widgets.common import label
 from labcal.gui.widgets.mounting_view import Mounting
+from labcal.gui.widgets.rolled import Rolled
 from labcal.gui.widgets.wanted_line import WantedLine
 
 WIDER = 112  # % of those here: as many lines more as those of Noto Sans are higher
@@ -71,6 +74,22 @@ def test_where_a_picture_may_still_come_it_has_its_place(qtbot):
     camera.look()
     assert camera.maximumHeight() > 300
     assert camera.minimumHeight() == camera_view.LEAST_PX
+
+
+def test_the_gravest_words_are_in_sight_whole_at_every_width(qtbot):
+    """Their lines were counted at a width that the margin beside the bar is part of."""
+    words, layout = label("Hands may go in: coils at zero, each was read back. " * 7, wrap=True), QVBoxLayout()
+    layout.addWidget(words)
+    rolled = Rolled(layout, words)
+    qtbot.addWidget(rolled)
+    rolled.show()
+    cut = []
+    for width in range(220, 280):
+        rolled.resize(width, 600)
+        QApplication.processEvents()
+        if rolled.minimumHeight() < words.heightForWidth(words.width()):
+            cut.append(width)
+    assert cut == []
 
 
 @pytest.mark.parametrize("pt", [10.5, 14.7, 18.9])
