@@ -231,7 +231,7 @@ class Frame(QMainWindow):
     def _give_room(self) -> None:
         """Sidebar and side panel, narrow where the window is: the page between them has what is left."""
         narrow = self.width() < NARROW_PX * self._scale
-        sidebar, side, entry = (15, 23, 15) if narrow else (17, 31, 18)
+        sidebar, side, entry = (15, 25, 15) if narrow else (17, 31, 18)
         for field in (self.top.dut, self.top.operator):
             field.setMaximumWidth(int(entry * GRID * self._scale))
         self.sidebar.setFixedWidth(int(sidebar * GRID * self._scale))

@@ -237,11 +237,12 @@ def test_what_was_done_is_said_in_the_card_of_its_step(page):
 
 def test_until_when_it_will_be_good_and_whence_that_comes_is_said_before_it_is_signed(page):
     told(page, DRAFT, "a.smith", "j.doe")
-    valid = page.steps.valid
+    valid, beside_its_field = page.steps.valid, page.steps.valid_once_approved
     assert valid.isVisible()
-    assert valid.text().startswith("No last day of use is stated: it never expires by itself. That day is stated by")
+    assert valid.text() == "No last day of use is stated: it never expires by itself."
     page.steps.stated.until.setText("2027-11-21")
-    assert valid.text().startswith("Good until 2027-11-21. That day is stated by who approves (2), by the interval of")
+    assert valid.text() == "Good until 2027-11-21."  # whence stands once, where it is stated
+    assert beside_its_field.text().startswith(f"{valid.text()} That day is stated by who approves (2), by the interval")
     page.steps.stated.until.setText("2025-01-01")
     assert page.steps.stated.until.property("state") == "bad"
     assert not page.steps.approve.isEnabled()
@@ -287,3 +288,39 @@ def test_a_run_that_was_never_traced_says_so_above_its_approval(page, method, le
     page._app_state.path.take_runs((replace(RUN, verdict="explained"),))
     assert not page.doubt.isVisible()
     assert page.to_do.text() == "Next: approve (2)"
+
+
+def test_fields_and_buttons_of_a_row_stand_at_one_height_where_one_mark_has_no_room_beside_its_heading(page):
+    page.window().resize(1024, 700)
+    told(page, DRAFT, "a.smith", "j.doe")
+    settle()
+    cards = page.steps.key, page.steps.approval, page.steps.signature
+    assert page.steps.approval.mark.y() > page.steps.approval.heading.y() + page.steps.approval.heading.height() // 2
+    firsts = page.steps.key_name, page.steps.approver, page.steps.signer
+    assert len({one.mapTo(page, one.rect().topLeft()).y() for one in firsts}) == 1
+    assert len({card.button.mapTo(page, card.button.rect().topLeft()).y() for card in cards}) == 1
+
+
+def test_each_sentence_on_how_a_file_stands_has_its_line_and_nobody_is_awaited_once_it_is_signed(page):
+    told(page, DRAFT, "a.smith")
+    assert page.standing.text() == "Operator J. Doe; approved by nobody yet."
+    said = ("VALID: signed by jdoe@lab.", "SIMULATED: it describes no real sensor.")
+    signed = calibration()
+    page.refresh()
+    told(page, replace(signed, standing=replace(signed.standing, sentences=said)), "a.smith")
+    assert page.standing.text().splitlines() == [*said, "Operator J. Doe."]
+
+
+def test_what_was_handed_out_is_said_below_the_buttons_and_takes_no_room_before(page):
+    told(page, RELEASED, "a.smith")
+    paper = page.paper
+    assert not paper.said.isVisible()
+    high = paper.height()
+    paper.said.setText("Written: here")
+    settle()
+    assert paper.said.isVisible()
+    assert paper.height() > high
+    assert paper.export.y() < paper.said.y()
+    paper.said.setText("")
+    settle()
+    assert paper.height() == high

@@ -58,7 +58,7 @@ def test_start_has_in_blue_what_next_goes_on_with_and_no_other(still, last):
     still.open_page("Start")
     runs = (broken,) if last == "interrupted" else (later, broken)
     app_state.quick_worker.answer(ListRuns, runs)
-    goes_on = still.page("Start").interrupted.body.itemAt(1).widget()
+    goes_on = still.page("Start").go_on_buttons[0]
     assert goes_on.text().startswith("Go on with EM-07")
     resumes = app_state.path.next().resumes
     assert (resumes is not None) == (last == "interrupted")

@@ -51,7 +51,7 @@ def test_next_on_the_start_page_goes_on_with_the_run(still, qtbot, patience):
     still.page("Start").refresh()
     still.app_state.quick_worker.answer(ListRuns, (broken,))
     assert still.next.text() == "Next: Go on with EM-07"
-    goes_on = still.page("Start").interrupted.body.itemAt(1).widget()
+    goes_on = still.page("Start").go_on_buttons[0]
     qtbot.waitUntil(goes_on.isVisible, timeout=patience)
     qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
     assert [one.run for one in still.app_state.bench_worker.commands(ResumeRun)] == ["r1"]

@@ -261,13 +261,13 @@ def test_start_has_one_thing_to_do_and_that_is_what_next_says(still, qtbot, pati
     broken = (replace(RUN, status="interrupted"), replace(RUN, run_id="r2", dut_serial="EM-08", status="interrupted"))
     still.open_page("Start")
     still.app_state.quick_worker.answer(ListRuns, broken)
-    mine, other = [start.interrupted.body.itemAt(n).widget() for n in (1, 2)]
+    mine, other = start.go_on_buttons
     assert [one.objectName() for one in (mine, other, start.calibrate)] == ["primary", "", ""]
     qtbot.waitUntil(mine.isVisible, timeout=patience)
     mine.setFocus()
     start.refresh()  # the list is made anew, as each time the page comes up
     still.app_state.quick_worker.answer(ListRuns, broken)
-    mine = start.interrupted.body.itemAt(1).widget()
+    mine = start.go_on_buttons[0]
     assert mine.hasFocus()
     start.refresh()
     still.app_state.quick_worker.answer(ListRuns, ())

@@ -208,7 +208,7 @@ class CertificatePage(QWidget):
         if one is not None:
             self.list.setToolTip(plain(self.list.currentText()))  # the whole, where there is no room for it
             self.word.setText(f"{file_word(one).upper()}  ·  {one.dut.serial}")
-            self.standing.setText(" ".join(self._standing_words(one)))
+            self.standing.setText("\n".join(self._standing_words(one)))
             self.names.show_file(one)
             set_state(self.word, file_state(one))
             if one.run_id != self._told_of:
@@ -231,13 +231,14 @@ class CertificatePage(QWidget):
             self.open.setVisible(bool(self.open.text()))
 
     def _standing_words(self, one: CalibrationFile) -> list[str]:
-        """How it stands, who measured and who approved."""
+        """How it stands, who measured and who approved: a line each."""
         draft = not one.standing.signatures
         signed = () if draft else one.standing.sentences  # that it is a draft, or unexplained, is said above
         words = [in_words(said) for said in signed if said != one.unexplained]
         words += [in_words("SIMULATED: it describes no real sensor.")] if draft and one.simulated else []
-        approved = ", ".join(one.approvers) or self.tr("nobody yet")
-        return [*words, self.tr("Operator {0}; approved by {1}.").format(one.operator or "–", approved)]
+        operator, approved = one.operator or "–", ", ".join(one.approvers) or (self.tr("nobody yet") if draft else "")
+        who = self.tr("Operator {0}; approved by {1}.") if approved else self.tr("Operator {0}.")
+        return [*words, who.format(operator, approved)]
 
     def stands(self, one: CalibrationFile) -> tuple[SigningStep, SigningStep, SigningStep, SigningStep]:
         """How its steps stand."""

@@ -7,18 +7,19 @@ from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QVBoxLayout
+from PySide6.QtWidgets import QFileDialog, QMenu
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.messages import ApplyCalibration, Command, HandOut, WriteLabel, WriteReport
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.handed_files import handed_files
-from labcal.gui.widgets.common import button, label
+from labcal.gui.widgets.common import button
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
 from labcal.gui.widgets.printer import Printer
+from labcal.gui.widgets.remark import Remark
 from labcal.gui.widgets.step_card import StepCard
 from labcal.record.run_id import name_outside
 
@@ -36,7 +37,7 @@ class Paper(StepCard):
         super().__init__(" ")
         self.name_it(self.tr("4  Hand it out"))
         self._app_state, self._chosen, self._fault = app_state, chosen, fault
-        self.said, self.folder = label("", "caption", wrap=True), FolderButton()
+        self.said, self.folder = Remark(), FolderButton()
         self.printer = Printer(self)
         self.printer.said.connect(self.said.setText)
         self.report = button(
@@ -52,17 +53,10 @@ class Paper(StepCard):
             self.tr("Apply to readings …"), self.tr("Add the field, its uncertainty and flags to a .csv of readings")
         )
         self.apply.clicked.connect(self._apply)
-        row, words = QHBoxLayout(), QVBoxLayout()
-        self.words.setMinimumWidth(20 * GRID)
-        self.words.setContentsMargins(0, GRID, 0, 0)  # in line with the words of the buttons
-        for part in (self.words, self.said):
-            words.addWidget(part)
-        words.addWidget(self.folder, 0, Qt.AlignmentFlag.AlignLeft)
-        words.addStretch()
-        row.addLayout(words, 1)
-        for widget in (self.apply, self.report, self.export):
-            row.addWidget(widget, 0, Qt.AlignmentFlag.AlignTop)
-        self.body.insertLayout(0, row)
+        self.body.insertLayout(0, Flow(self.export, self.report, self.apply, left=True))
+        at = self.body.indexOf(self.words) + 1
+        self.body.insertWidget(at, self.said)
+        self.body.insertWidget(at + 1, self.folder, 0, Qt.AlignmentFlag.AlignLeft)
         self.button = self.export
 
     def _menu(self) -> QMenu:
@@ -168,7 +162,7 @@ class Paper(StepCard):
         """Ask the quick worker, and say what came of it beside the buttons."""
 
         def failed(fault: Fault) -> None:
-            self.said.clear()
+            self.said.setText("")
             self._fault.show_fault(fault)
 
         self._fault.show_fault(None)

@@ -15,7 +15,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.key_rules import approver_objection, as_key_name, key_name_objection, key_objection
-from labcal.gui.viewmodels.signing import SigningStep, awaited, doubts, valid_words
+from labcal.gui.viewmodels.signing import SigningStep, awaited, doubts, until_words, valid_words
 from labcal.gui.widgets.common import button, combo_box, label, say_wanted, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.secret import secret_entry
@@ -190,9 +190,10 @@ class SigningSteps(StepRow):
         )
         refused = refused if draft else ""
         self.approval.say_wrong(refused)
-        valid = "" if one is None else valid_words(one, self.stated.stated()[0])
-        self.valid.setText(valid)
-        self.valid_once_approved.setText(valid if one is not None and self._stated_by_approval(one) else "")
+        typed, stated_there = self.stated.stated()[0], one is not None and self._stated_by_approval(one)
+        valid = "" if one is None else valid_words(one, typed)
+        self.valid_once_approved.setText(valid if stated_there else "")
+        self.valid.setText(until_words(one, typed) if one is not None and stated_there else valid)
         self.approver.setEnabled(draft)  # nobody can be added after the first signature
         whole = one is not None and not one.not_measured
         self.approve.setEnabled(draft and whole and bool(approver) and not refused)

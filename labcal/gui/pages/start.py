@@ -17,23 +17,27 @@ from labcal.gui.viewmodels.hands_now import left_words
 from labcal.gui.viewmodels.lab_now import mark_of
 from labcal.gui.viewmodels.left_without_end import AGAIN_MS
 from labcal.gui.viewmodels.number_format import format_number, short_number, step_title
+from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_count import count_words
-from labcal.gui.viewmodels.run_results import RunResults
+from labcal.gui.viewmodels.run_results import AT_ONCE, RunResults
 from labcal.gui.viewmodels.run_search import cells, local_time
 from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
-from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
+from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.run_chooser import run_title
+from labcal.gui.widgets.way_ahead import WayAhead
 
 DUE_DAYS = 365
 LISTED = 3  # interrupted runs
-LAST, LAST_WIDE = 3, 10  # runs, where their card has the width of half the page, and of all of it
+LAST, LAST_WIDE = 3, AT_ONCE  # runs, where their card has the width of half the page, and of all of it
 LAST_RUNS = ("started", "DUT", "result", "calibration", "procedure")
+SEEN = LAST  # of them before the page is rolled; where there is more room all
 CAGE_DAYS = 30  # a cage calibration older than this is checked again
 
 
@@ -52,8 +56,8 @@ class StartPage(QWidget):
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
-        column.addWidget(flat(self._hello_card()))
-        self.interrupted = flat(Card(self.tr("▲ Unfinished run")))
+        column.addWidget(self._hello_card())
+        self.interrupted = Card(self.tr("▲ Unfinished run"))
         self.interrupted.hide()
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
@@ -70,8 +74,7 @@ class StartPage(QWidget):
         }
         cards = [self._fact_card(key, title) for key, title in titles.items()]
         self.grid.take([*cards, self._runs_card()])
-        column.addWidget(flat(self.grid))
-        column.addStretch()
+        column.addWidget(self.grid, 1)
         app_state.bench_changed.connect(self._bench_known)
         app_state.lab.changed.connect(self._enable)
         app_state.run.changed.connect(self._enable)
@@ -97,7 +100,7 @@ class StartPage(QWidget):
         card = Card()
         today = QLocale().toString(QDate.currentDate(), QLocale.FormatType.LongFormat)
         self.date, self.question = label(today, "caption"), label("", wrap=True)
-        self.to_do = label("", "ask", wrap=True)
+        self.to_do, self.way = label("", "ask", wrap=True), label("", wrap=True)
         self.go_on = button("", self.tr("The page where that is done"), primary=True)
         self.go_on.clicked.connect(self._app_state.next_requested)
         self.morning = button(
@@ -117,7 +120,7 @@ class StartPage(QWidget):
         row.addWidget(self.logo)
         words = QVBoxLayout()
         words.setSpacing(GRID)
-        for said in (self.laboratory, self.date, self.to_do, self.question):
+        for said in (self.laboratory, self.date, self.to_do, self.way, self.question):
             words.addWidget(said)
         words.addStretch()
         row.addLayout(words, 1)
@@ -143,9 +146,12 @@ class StartPage(QWidget):
     def _runs_card(self) -> Card:
         card = Card(self.tr("Last runs"), " ")
         self.counted, self.no_runs, self.runs = card.unit, label("", wrap=True), Table(LAST_RUNS, len(LAST_RUNS) - 1)
-        self.runs.show_rows(LAST_WIDE, LAST)
-        card.body.addWidget(self.no_runs)
-        card.body.addWidget(self.runs)
+        self.runs.show_rows(SEEN, LAST)
+        self.runs.end_with_rows()
+        self.way_ahead = WayAhead()
+        for part in (self.no_runs, self.way_ahead):
+            card.body.addWidget(part)
+        card.body.addWidget(self.runs, 1)
         card.body.addStretch()
         return card
 
@@ -308,6 +314,7 @@ class StartPage(QWidget):
         self.counted.setText(count_words(len(runs)) if runs else self.tr("none yet"))
         self.no_runs.setText("" if runs else words)
         self.no_runs.setVisible(not runs)
+        self.way_ahead.setVisible(not runs and self.grid.wide)  # with less room the bar below says what is next
         self.runs.setVisible(bool(runs))
         last = runs[: LAST_WIDE if self.grid.wide else LAST]
         self.runs.setRowCount(len(last))
@@ -330,17 +337,26 @@ class StartPage(QWidget):
         more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
         bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")
         self.interrupted.body.addWidget(label(" ".join(filter(None, (lost, bench, more))), wrap=True))
-        tip = self.tr("What is missing of it; you are asked whether the mounting stands")
-        for one in broken[:LISTED]:
-            again = button(
-                self.tr("Go on with {0}").format(f"{one.dut_serial} · {local_time(one.started_utc):%Y-%m-%d %H:%M}"),
-                f"{run_title(one)}\n{tip}",
-            )
-            again.clicked.connect(lambda _=False, o=one: self._app_state.resume(o.run_id, o.procedure, o.dut_serial))
-            again.setEnabled(self._app_state.facts is not None)
-            self.interrupted.body.addWidget(again)
-            self._to_go_on_with.append((one, again))
+        self._to_go_on_with = [(one, self._go_on_button(one)) for one in broken[:LISTED]]
+        row = QWidget()
+        row.setLayout(Flow(*self.go_on_buttons, left=True))
+        self.interrupted.body.addWidget(row)
         self._point()
+
+    @property
+    def go_on_buttons(self) -> list[QPushButton]:
+        """Those of the runs that can be gone on with, the newest first."""
+        return [again for _, again in self._to_go_on_with]
+
+    def _go_on_button(self, one: RunLine) -> QPushButton:
+        tip = self.tr("What is missing of it; you are asked whether the mounting stands")
+        again = button(
+            self.tr("Go on with {0}").format(f"{one.dut_serial} · {local_time(one.started_utc):%Y-%m-%d %H:%M}"),
+            f"{run_title(one)}\n{tip}",
+        )
+        again.clicked.connect(lambda: self._app_state.resume(one.run_id, one.procedure, one.dut_serial))
+        again.setEnabled(self._app_state.facts is not None)
+        return again
 
     def _point(self) -> None:
         """The one thing to do, as Next says it: of runs that broke off that which it goes on with."""
@@ -352,6 +368,9 @@ class StartPage(QWidget):
             again.setEnabled(known and not self._app_state.lab.state.now.failed)  # it is said above who is silent
         begins = to.page in ("Run", "Start")
         self.to_do.setText(to.words)
+        marks = self._app_state.path.marks()
+        self.way.setText("  →  ".join(f"{SHAPES[mark]} {translated(page)}" for page, mark in marks.items()))
+        self.way.setVisible(known)
         self.go_on.setText(to.words)
         self.go_on.setVisible(known and not begins and not to.off and not self._app_state.run.alive)
         set_primary(self.go_on, not any(mine))

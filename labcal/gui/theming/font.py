@@ -7,7 +7,7 @@ from collections.abc import Collection
 from PySide6.QtGui import QFont
 
 NOBODY_CHOSE = ("", "Sans", "Sans Serif", "sans-serif")  # what Qt says on a system without a choice
-PREFERRED = ("Inter", "Inter Variable")  # lines of others (Noto Sans, Roboto) need more room than some places have
+PREFERRED = ("Inter", "Inter Variable")  # lines of others (Noto Sans) are higher: less is in sight
 
 
 def with_tabular_figures(font: QFont) -> QFont:

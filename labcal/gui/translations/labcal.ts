@@ -435,6 +435,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Operator {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} is handed out.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8007,7 +8011,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Supersedes nothing</source>
+        <source>Supersedes none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10061,6 +10065,26 @@ after this step …</source>
     </message>
     <message>
         <source>back {0}, out since {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The instruments of your lab: open its bench file, and see that each answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You mount the DUT about each axis; coils and platform do the rest.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Offset, scale and angles from that run, each with its uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is left over is traced to its cause, and tried on held-out data.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another person approves, you sign, and it is handed out.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -435,6 +435,10 @@
         <translation>Eine Kalibrierung wählen, oder oben den Prüfling angeben.</translation>
     </message>
     <message>
+        <source>Operator {0}.</source>
+        <translation>Bediener {0}.</translation>
+    </message>
+    <message>
         <source>{0} is handed out.</source>
         <translation>{0} ist ausgegeben.</translation>
     </message>
@@ -6658,7 +6662,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>1  What is left over</source>
-        <translation>1  Was übrig bleibt</translation>
+        <translation>1  Was bleibt</translation>
     </message>
     <message>
         <source>noise k=2</source>
@@ -8008,7 +8012,7 @@ diesem Schritt …</translation>
         <translation>Ersetzt</translation>
     </message>
     <message>
-        <source>Supersedes nothing</source>
+        <source>Supersedes none</source>
         <translation>Ersetzt keine</translation>
     </message>
     <message>
@@ -10063,6 +10067,26 @@ diesem Schritt …</translation>
     <message>
         <source>back {0}, out since {1}</source>
         <translation>wieder da {0}, weg seit {1}</translation>
+    </message>
+    <message>
+        <source>The instruments of your lab: open its bench file, and see that each answers.</source>
+        <translation>Die Geräte Ihres Labors: die Messplatzdatei öffnen und sehen, dass jedes antwortet.</translation>
+    </message>
+    <message>
+        <source>You mount the DUT about each axis; coils and platform do the rest.</source>
+        <translation>Sie bauen den Prüfling um jede Achse ein; Spulen und Tisch tun das Übrige.</translation>
+    </message>
+    <message>
+        <source>Offset, scale and angles from that run, each with its uncertainty.</source>
+        <translation>Nullpunkt, Skalenfaktor und Winkel aus dieser Messung, je mit Unsicherheit.</translation>
+    </message>
+    <message>
+        <source>What is left over is traced to its cause, and tried on held-out data.</source>
+        <translation>Was übrig bleibt, wird auf seine Ursache zurückgeführt und an zurückgehaltenen Daten geprüft.</translation>
+    </message>
+    <message>
+        <source>Another person approves, you sign, and it is handed out.</source>
+        <translation>Eine andere Person genehmigt, Sie signieren, und die Datei wird ausgegeben.</translation>
     </message>
 </context>
 <context>

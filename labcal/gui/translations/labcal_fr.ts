@@ -435,6 +435,10 @@
         <translation>Choisissez un étalonnage, ou indiquez en haut quel DUT.</translation>
     </message>
     <message>
+        <source>Operator {0}.</source>
+        <translation>Opérateur {0}.</translation>
+    </message>
+    <message>
         <source>{0} is handed out.</source>
         <translation>{0} est remis.</translation>
     </message>
@@ -8008,7 +8012,7 @@ cette étape …</translation>
         <translation>Remplace</translation>
     </message>
     <message>
-        <source>Supersedes nothing</source>
+        <source>Supersedes none</source>
         <translation>Ne remplace rien</translation>
     </message>
     <message>
@@ -10063,6 +10067,26 @@ cette étape …</translation>
     <message>
         <source>back {0}, out since {1}</source>
         <translation>de retour {0}, absent depuis {1}</translation>
+    </message>
+    <message>
+        <source>The instruments of your lab: open its bench file, and see that each answers.</source>
+        <translation>Les instruments de votre laboratoire : ouvrir le fichier du banc et voir que chacun répond.</translation>
+    </message>
+    <message>
+        <source>You mount the DUT about each axis; coils and platform do the rest.</source>
+        <translation>Vous montez le DUT autour de chaque axe ; bobines et plate-forme font le reste.</translation>
+    </message>
+    <message>
+        <source>Offset, scale and angles from that run, each with its uncertainty.</source>
+        <translation>Décalage, facteur d&apos;échelle et angles de cette mesure, chacun avec son incertitude.</translation>
+    </message>
+    <message>
+        <source>What is left over is traced to its cause, and tried on held-out data.</source>
+        <translation>Ce qui reste est ramené à sa cause, et éprouvé sur des données mises de côté.</translation>
+    </message>
+    <message>
+        <source>Another person approves, you sign, and it is handed out.</source>
+        <translation>Une autre personne approuve, vous signez, et le fichier est remis.</translation>
     </message>
 </context>
 <context>

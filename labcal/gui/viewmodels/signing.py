@@ -122,10 +122,15 @@ def file_state(one: CalibrationFile) -> str:
     return "warning" if signed in ("", "good") and doubts(one) else signed
 
 
-def valid_words(one: CalibrationFile, typed: str) -> str:
-    """Until when it is, or will be, good, and where that comes from; `typed`: the day, while it may be stated still."""
+def until_words(one: CalibrationFile, typed: str) -> str:
+    """Until when it is, or will be, good; `typed`: the day, while it may be stated still."""
     day = typed or one.until
-    says = translated(str(UNTIL)).format(day) if day else translated(str(NO_END))
+    return translated(str(UNTIL)).format(day) if day else translated(str(NO_END))
+
+
+def valid_words(one: CalibrationFile, typed: str) -> str:
+    """The same, and where that comes from."""
+    says = until_words(one, typed)
     if one.standing.signatures:
         return says
     return f"{says} {translated(str(AS_IT_WAS if one.approvers else WHO_STATES))}"

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit
+from PySide6.QtWidgets import QHBoxLayout
 
 from labcal.gui.ipc.messages import AnswersFor, ListKeys, RunProcedure
 from labcal.gui.ipc.wire import Fault
@@ -15,6 +15,7 @@ from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.widgets.common import Card, button, combo_box, label, set_state
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.secret import secret_entry
+from labcal.gui.widgets.wanted_line import WantedLine
 
 
 class AnswerForCard(Card):
@@ -31,14 +32,10 @@ class AnswerForCard(Card):
             ),
             wrap=True,
         )
-        self.who, self.because = QLineEdit(), QLineEdit()
-        for entry, name, tip in (
-            (self.who, self.tr("Who answers for it"), self.tr("The person who lets this run begin")),
-            (self.because, self.tr("Why it may begin"), self.tr("What is known of the check standard: it was dropped")),
-        ):
-            entry.setPlaceholderText(name)
-            entry.setAccessibleName(name)
-            entry.setToolTip(tip)
+        self.who = WantedLine(self.tr("Who answers for it"), self.tr("The person who lets this run begin"))
+        known = self.tr("What is known of the check standard: it was dropped")
+        self.because = WantedLine(self.tr("Why it may begin"), known)
+        for entry in (self.who, self.because):
             entry.textChanged.connect(self.check)
         self.key = combo_box(self.tr("Whose key signs it"), letters=10)
         self.key.currentIndexChanged.connect(self.check)

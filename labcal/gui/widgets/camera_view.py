@@ -15,11 +15,15 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QRect, Qt, QTemporaryDir, QTimer
-from PySide6.QtGui import QImage, QPainter, QPaintEvent
+from PySide6.QtGui import QImage, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
+
+from labcal.gui.widgets.roomy import NO_END_PX
 
 LOOK_MS = 80
 OLD_S = 2.0  # a picture that is older is no picture of now
+LEAST_PX = 120  # of a picture's height
+CENTRED = int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap)
 Missing = Literal["", "extra", "camera", "pictures"]  # what there is none of
 Frame = NDArray[np.uint8]  # (rows, columns, 3), blue first
 
@@ -67,7 +71,7 @@ class CameraView(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setMinimumSize(128, 120)
+        self.setMinimumSize(128, LEAST_PX)
         self.source = ""
         self._watching: Watching | None = None
         self._folder = QTemporaryDir()
@@ -117,14 +121,26 @@ class CameraView(QWidget):
         """Show what has come."""
         said = self.words()
         self.setAccessibleName(said or self.tr("Picture of the camera: the DUT as it stands now"))
+        self._take_place()
         self.update()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """At another width the words have other lines."""
+        super().resizeEvent(event)
+        self._take_place()
+
+    def _take_place(self) -> None:
+        """Where no picture can come no more height than its words need: the drawing above has the rest."""
+        none = self._watching is not None and self._watching.missing in ("extra", "camera")
+        words = self.fontMetrics().boundingRect(QRect(0, 0, self.width(), NO_END_PX), CENTRED, self.words())
+        self.setMinimumHeight(words.height() if none else LEAST_PX)
+        self.setMaximumHeight(words.height() if none else NO_END_PX)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """The picture as large as its place, or why there is none."""
         with QPainter(self) as painter:
             if (picture := self.picture()) is None:
-                centred = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
-                painter.drawText(self.rect(), int(centred), self.words())
+                painter.drawText(self.rect(), CENTRED, self.words())
                 return
             place = QRect(QPoint(), picture.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatio))
             place.moveCenter(self.rect().center())

@@ -1,4 +1,4 @@
-"""Cards side by side: three in a row with the last one below them all, where there is room; else two by two."""
+"""Cards side by side: where there is room three in a row with the last one below them all; else two by two."""
 
 from __future__ import annotations
 
@@ -48,3 +48,5 @@ class FactGrid(QWidget):
             self._grid.addWidget(card, number // across, number % across, 1, across if last else 1)
         for column in range(3):
             self._grid.setColumnStretch(column, int(column < across))
+        for row in range(2):
+            self._grid.setRowStretch(row, int(self.wide and row == 1))  # what may be long has the rest of the page

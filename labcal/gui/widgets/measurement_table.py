@@ -61,6 +61,12 @@ class Table(QTableWidget):
         for changed in (self.model().rowsInserted, self.model().rowsRemoved):
             changed.connect(lambda *_: self.updateGeometry())
 
+    def end_with_rows(self) -> None:
+        """Have no frame around the place of rows that there are not, however much room there is."""
+        headers = self.horizontalHeader().geometriesChanged, self.verticalHeader().geometriesChanged
+        for changed in (self.model().rowsInserted, self.model().rowsRemoved, *headers):
+            changed.connect(lambda *_: self.setMaximumHeight(self._height_of(self.rowCount())))
+
     def sizeHint(self) -> QSize:
         """Room for the rows that are to be seen."""
         return QSize(super().sizeHint().width(), self._height_of(self._rows_shown) or super().sizeHint().height())

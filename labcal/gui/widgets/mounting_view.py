@@ -23,6 +23,7 @@ RIGHT = np.array([cos(TURN), sin(TURN), 0.0])
 UP = np.array([-sin(TURN) * sin(TILT), cos(TURN) * sin(TILT), cos(TILT)])
 TOWARD = np.cross(RIGHT, UP)
 BOX = np.array([0.46, 0.36, 0.28])  # half sizes along body x, y, z
+WIDE, ABOVE, BELOW_IT = 3.3, 1.7, 0.9  # that the drawing has, in radii of the platform; and above and below its centre
 EDGE_PX = 2.0
 BELOW = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
 FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]
@@ -99,10 +100,9 @@ class Mounting(QWidget):
                 self._paint_dial(painter, float(self._drawing["angle_deg"]))
 
     def _at(self, point: Array) -> QPointF:
-        scale = min(self.width() / 3.3, self.height() / 2.7)
-        return QPointF(
-            self.width() / 2 + scale * float(point @ RIGHT), self.height() * 0.64 - scale * float(point @ UP)
-        )
+        high = self.height() - self._words_high()
+        scale, centre = min(self.width() / WIDE, high / (ABOVE + BELOW_IT)), high * ABOVE / (ABOVE + BELOW_IT)
+        return QPointF(self.width() / 2 + scale * float(point @ RIGHT), centre - scale * float(point @ UP))
 
     def _paint_mounting(self, painter: QPainter) -> None:
         body, axis = self.body(), self._axis()
@@ -119,12 +119,16 @@ class Mounting(QWidget):
         """Below the platform, at which angle of it this is."""
         painter.setPen(QColor(self._theme.muted))
         painter.setFont(self.font())
-        top = self._words_top()
+        top = self.words_top()
         painter.drawText(QRectF(0, top, self.width(), self.height() - top), BELOW, self.platform_words())
 
-    def _words_top(self) -> float:
-        needed = QFontMetricsF(self.font()).boundingRect(QRectF(0, 0, self.width(), 1e4), BELOW, self.platform_words())
-        return min(self._at(-0.9 * UP).y(), self.height() - needed.height())
+    def words_top(self) -> float:
+        """Where the words begin: the platform ends there."""
+        return self._at(-BELOW_IT * UP).y()
+
+    def _words_high(self) -> float:
+        room = QRectF(0, 0, self.width(), 1e4)
+        return QFontMetricsF(self.font()).boundingRect(room, BELOW, self.platform_words()).height()
 
     def _paint_platform(self, painter: QPainter, axis: Array) -> None:
         side = unit(np.cross(axis, (0.3, 0.9, 0.2)))
@@ -188,7 +192,7 @@ class Mounting(QWidget):
         wanted = sorted(self._wanted, key=lambda one: not self._font(one[2]).bold())
         sizes = [QFontMetricsF(self._font(name)).size(0, name) for _, _, name, _ in wanted]
         tips = [Tip(tip, angle, size) for (tip, angle, _, _), size in zip(wanted, sizes, strict=True)]
-        within = QRectF(EDGE_PX, 0.0, self.width() - 2 * EDGE_PX, self._words_top())
+        within = QRectF(EDGE_PX, 0.0, self.width() - 2 * EDGE_PX, self.words_top())
         places = placed(tips, self._lines, within)
         self.names = {name: place for (_, _, name, _), place in zip(wanted, places, strict=True)}
         for (_, _, name, colour), place in zip(wanted, places, strict=True):

@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
 from labcal.gui.theming.theme import GRID
 
-LEAST_PX, MOST_PX = 16 * GRID, 30 * GRID  # of them that are in sight without a bar; with more of it buttons would move
+LEAST_PX, MOST_LINES = 16 * GRID, 14  # of them that are in sight without a bar; with more of it buttons would move
+CROWDED_LINES = 9  # from there on what stands beside them gives way
 
 
 class Rolled(QScrollArea):
@@ -59,15 +60,20 @@ class Rolled(QScrollArea):
         layout, first = self._holder.layout(), self._first
         if layout is None or first is None:
             return False
-        return self._end(layout, first, width - self.width() + self.viewport().width()) > MOST_PX
+        return (
+            self._end(layout, first, width - self.width() + self.viewport().width())
+            > CROWDED_LINES * first.fontMetrics().height()
+        )
 
     def _least(self, layout: QLayout, first: QWidget) -> int:
         """What of it is to be in sight without a bar, at this width."""
-        return min(MOST_PX, max(LEAST_PX, self._end(layout, first, layout.geometry().width())))
+        most = MOST_LINES * first.fontMetrics().height()  # letters of another desktop may be higher
+        return min(most, max(LEAST_PX, self._end(layout, first, layout.geometry().width())))
 
     def _end(self, layout: QLayout, first: QWidget, width: int) -> int:
         """What stands above the end of the gravest words; 0 where they are not in sight."""
-        high = 0
+        margins, high = layout.contentsMargins(), 0
+        width -= margins.left() + margins.right()
         for n in range(layout.count()):
             item = layout.itemAt(n)
             widget = None if item is None else item.widget()

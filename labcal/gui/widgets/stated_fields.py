@@ -35,7 +35,7 @@ class StatedFields(QObject):
         self._draft = one.path
         self.until.setText(one.until)
         self.superseded.clear()
-        self.superseded.addItem(self.tr("Supersedes nothing"), "")
+        self.superseded.addItem(self.tr("Supersedes none"), "")
         for other in others:
             if other.standing.signatures and other.dut.serial == one.dut.serial:
                 self.superseded.addItem(self.tr("Supersedes {0}").format(Path(other.path).stem), other.path)

@@ -43,7 +43,8 @@ class StepCard(Card):
         self.unfold.hide()
         self.heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.head.removeWidget(self.heading)
-        self.head.addLayout(Flow(self.heading, self.mark, self.unfold), 1)
+        self.top = Flow(self.heading, self.mark, self.unfold)
+        self.head.addLayout(self.top, 1)
         self.unit.hide()
         self.body.addWidget(self.holder)
         for part in (self.wrong, self.asked, self.words, self.done, self.rules):
@@ -191,12 +192,21 @@ class StepRow(QWidget):
         needed = len(self._cards) * LETTERS * self._cards[0].words.fontMetrics().averageCharWidth()
         row = self.width() >= needed
         shown = [card for card in self._cards if row and not card.folded]
-        high = max((card.fields.sizeHint().height() for card in shown), default=0)
+        lower = self._lower(shown)
+        own = [card.fields.sizeHint().height() - card.fields.contentsMargins().top() for card in shown]
         for card in self._cards:
             card.stack(not row or self._at_rest)
-            if card.holder.minimumHeight() != high:
+            above = lower.get(card, 0)
+            card.fields.setContentsMargins(0, above, 0, 0)
+            if card.holder.minimumHeight() != (high := max(own, default=0) + above):
                 card.holder.setMinimumHeight(high)
         way = QBoxLayout.Direction.LeftToRight if row else QBoxLayout.Direction.TopToBottom
         if way != self._box.direction():
             self._box.setDirection(way)
             self.updateGeometry()
+
+    def _lower(self, shown: Sequence[StepCard]) -> dict[StepCard, int]:
+        """By how much the fields of each begin lower, where another heading has its mark below it [px]."""
+        width = (self.width() - (len(self._cards) - 1) * self._box.spacing()) // len(self._cards) - 4 * GRID
+        tops = {card: card.top.heightForWidth(width) for card in shown}
+        return {card: max(tops.values()) - top for card, top in tops.items()}
