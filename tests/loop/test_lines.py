@@ -169,8 +169,8 @@ def test_mains_far_above_the_nyquist_frequency_are_told_from_their_images_by_seg
     assert right >= 0.95 * tried
 
 
-@pytest.mark.parametrize("cycles", [1.4, 2.1, 3.5])
-def test_mains_whose_image_has_no_more_than_two_periods_in_a_segment_are_found(cycles: float) -> None:
+@pytest.mark.parametrize("cycles", [0.3, 0.65, 0.95, 1.4, 2.1, 3.5])
+def test_mains_whose_image_has_few_periods_in_a_segment_or_not_one_are_found(cycles: float) -> None:
     draw, step_s, rows = np.random.default_rng(3), 0.75, 84
     starts_s = np.cumsum(rows * step_s + draw.uniform(60, 180, 9))
     t_s = (starts_s[:, None] + step_s * np.arange(rows)).ravel()
@@ -180,3 +180,16 @@ def test_mains_whose_image_has_no_more_than_two_periods_in_a_segment_are_found(c
     found = unfolded_line(t_s, line + draw.normal(size=line.shape), parts)
     assert found is not None
     assert abs(found[0] - line_Hz) < 0.5 / np.ptp(t_s)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_slow_wave_that_begins_anew_in_each_segment_is_no_line(making: ModuleType, tmp_path: Path, seed: int) -> None:
+    """Of thousands of frequencies that fold there some have nearly the phases that chance gave six segments."""
+    rows, segments = making.recorded()
+    draw = np.random.default_rng(seed)
+    for segment in segments:
+        here = rows["segment"] == segment["id"]
+        of_segment = np.linspace(0, 2 * np.pi * 0.7, here.sum())[:, None] + draw.uniform(0, 6, 3)
+        rows["dut"][here] += 200 * draw.normal(size=3) * np.sin(of_segment)
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments))))
+    assert "periodic" not in [one.effect for one in closed.accepted]

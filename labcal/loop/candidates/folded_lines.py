@@ -30,9 +30,15 @@ def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice]) -> tuple[fl
     For scores (n, axes) at times t_s (n,) in these segments. None where no image of a line shows, or where that image
     below the Nyquist frequency is as likely as the line.
     """
-    image = _image(t_s, scores, parts)
-    if image is None or len(parts) < 2:
+    if len(parts) < 2:
         return None
+    found = [_unfolded(t_s, scores, parts, image) for image in _images(t_s, scores, parts)]
+    best = max(filter(None, found), key=lambda one: one[2], default=None)
+    return None if best is None else best[:2]
+
+
+def _unfolded(t_s: Array, scores: Array, parts: Sequence[slice], image: float) -> tuple[float, int, float] | None:
+    """The likeliest frequency that folds to an image [Hz], how many were tried, and its power; None if none leads."""
     rate = 1 / float(np.median(np.diff(t_s)))
     orders = range(1, min(int(HIGHEST_Hz / rate), MOST_ORDERS) + 1)
     folds = np.array([image, *(order * rate + sign * image for order in orders for sign in (-1, 1))])
@@ -42,7 +48,7 @@ def unfolded_line(t_s: Array, scores: Array, parts: Sequence[slice]) -> tuple[fl
     near, step = folds + shifts[powers.argmax(axis=1)], shifts[1] - shifts[0]
     of_image, *others = (_top(t_s, scores, parts, near[k], step) for k in (0, *first[first > 0]))
     best = max(others, key=lambda top: top[1])
-    return (best[0], int(powers.size)) if _leads(scores, best[1], of_image[1], len(folds)) else None
+    return (*best[:1], int(powers.size), best[1]) if _leads(scores, best[1], of_image[1], len(folds)) else None
 
 
 def _top(t_s: Array, scores: Array, parts: Sequence[slice], frequency: float, step: float) -> tuple[float, float]:
@@ -61,21 +67,23 @@ def _leads(scores: Array, power: float, of_image: float, tried: int) -> bool:
     return lead > policy.POLICY.equivalent_nats + float(np.log(tried))
 
 
-def _image(t_s: Array, scores: Array, parts: Sequence[slice]) -> float | None:
-    """Where the powers of all segments together stand highest above their neighbourhood [Hz].
+def _images(t_s: Array, scores: Array, parts: Sequence[slice]) -> list[float]:
+    """Where the powers of all segments together stand highest above their neighbourhood [Hz], and below a period.
 
-    A whole period in a segment is enough: a drift may look so, but keeps its phase at no frequency that folds there.
+    A whole period in a segment is enough, and less of one is looked at as well: a drift may look so, but keeps its
+    phase at no frequency that folds there.
     """
     spectra = [periodogram(t_s[part], scores[part]) for part in parts if part.stop - part.start > PER_RESOLUTION]
     if not spectra:
-        return None
+        return []
     grid = max((frequency for frequency, _ in spectra), key=len)
     power = np.sum([np.interp(grid, frequency, one) for frequency, one in spectra], axis=0)
-    length_s = _length_s(t_s, parts)
+    contrast, length_s = power / running_median(power), _length_s(t_s, parts)
     resolved = (grid > 1 / length_s) & (grid < grid[-1] - 0.5 / length_s)  # from an offset, from its own mirror image
-    contrast = np.where(resolved, power / running_median(power), 0.0)
-    peak = int(np.argmax(contrast))
-    return float(grid[peak]) if contrast[peak] > CONTRAST else None
+    peak = int(np.argmax(np.where(resolved, contrast, 0.0)))
+    slow = (grid > 0) & (grid <= 1 / length_s)
+    found = [float(grid[peak])] if resolved[peak] and contrast[peak] > CONTRAST else []
+    return found + ([0.5 / length_s] if (contrast[slow] > CONTRAST).any() else [])
 
 
 def _shifts(t_s: Array, parts: Sequence[slice]) -> Array:
