@@ -494,6 +494,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Usual settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every setting as it was before anybody typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The plan</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6853,7 +6861,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Country, as DE</source>
+        <source>Country, as DE or Germany</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A country is two letters, as DE, or its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep waits for: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7265,10 +7285,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7278,6 +7294,18 @@ after this step …</source>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No turn was finished: either way it begins with the first step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8023,7 +8051,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“{0}” is no day: 2027-11-21, or {1}</source>
+        <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9700,7 +9728,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing</source>
+        <source>▲ One interruption: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ {0} interruptions: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9920,19 +9952,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: a key (1)</source>
+        <source>Make a key (1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: approve (2)</source>
+        <source>Approve (2)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: sign (3)</source>
+        <source>Sign (3)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: hand it out (4)</source>
+        <source>Hand it out (4)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10085,6 +10117,14 @@ after this step …</source>
     </message>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

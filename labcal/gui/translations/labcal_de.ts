@@ -494,6 +494,14 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
+        <source>Usual settings</source>
+        <translation>Übliche Einstellungen</translation>
+    </message>
+    <message>
+        <source>Every setting as it was before anybody typed</source>
+        <translation>Jede Einstellung, wie sie war, bevor jemand etwas eingetippt hat</translation>
+    </message>
+    <message>
         <source>The plan</source>
         <translation>Der Plan</translation>
     </message>
@@ -6854,8 +6862,20 @@ diesem Schritt …</translation>
         <translation>Ort</translation>
     </message>
     <message>
-        <source>Country, as DE</source>
-        <translation>Land, wie DE</translation>
+        <source>Country, as DE or Germany</source>
+        <translation>Land, etwa DE oder Deutschland</translation>
+    </message>
+    <message>
+        <source>A country is two letters, as DE, or its name.</source>
+        <translation>Ein Land sind zwei Buchstaben, etwa DE, oder sein Name.</translation>
+    </message>
+    <message>
+        <source>Keep waits for: {0}.</source>
+        <translation>Übernehmen wartet auf: {0}.</translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
+        <translation>Wird übernommen …</translation>
     </message>
     <message>
         <source>Laboratory: {0}</source>
@@ -7266,10 +7286,6 @@ diesem Schritt …</translation>
         <translation>Nein: Nichts wird gemessen, und die Messung endet. Ja: In der Aufzeichnung steht, dass so geantwortet wurde.</translation>
     </message>
     <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
-    </message>
-    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
     </message>
@@ -7280,6 +7296,18 @@ diesem Schritt …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first.</source>
+        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen.</translation>
+    </message>
+    <message>
+        <source>No turn was finished: either way it begins with the first step again.</source>
+        <translation>Keine Drehung ist fertig: In beiden Fällen beginnt es wieder mit dem ersten Schritt.</translation>
+    </message>
+    <message>
+        <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation>In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8024,8 +8052,8 @@ diesem Schritt …</translation>
         <translation>{0} ist vorbei: Der letzte Tag der Gültigkeit ist heute oder später</translation>
     </message>
     <message>
-        <source>“{0}” is no day: 2027-11-21, or {1}</source>
-        <translation>„{0}“ ist kein Tag: 2027-11-21 oder {1}</translation>
+        <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
+        <translation>„{0}“ ist kein Tag; schreiben Sie ihn wie 2027-11-21 oder {1}</translation>
     </message>
 </context>
 <context>
@@ -9701,8 +9729,12 @@ diesem Schritt …</translation>
         <translation>▲ {0} Unterbrechungen: {1}. Noch einmal gemessen: {2}.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
+        <source>▲ One interruption: {0}.</source>
+        <translation>▲ Eine Unterbrechung: {0}.</translation>
+    </message>
+    <message>
+        <source>▲ {0} interruptions: {1}.</source>
+        <translation>▲ {0} Unterbrechungen: {1}.</translation>
     </message>
     <message>
         <source>at {0}, for {1}</source>
@@ -9921,20 +9953,20 @@ diesem Schritt …</translation>
         <translation>Prüfen</translation>
     </message>
     <message>
-        <source>Next: a key (1)</source>
-        <translation>Weiter: ein Schlüssel (1)</translation>
+        <source>Make a key (1)</source>
+        <translation>Einen Schlüssel anlegen (1)</translation>
     </message>
     <message>
-        <source>Next: approve (2)</source>
-        <translation>Weiter: genehmigen (2)</translation>
+        <source>Approve (2)</source>
+        <translation>Genehmigen (2)</translation>
     </message>
     <message>
-        <source>Next: sign (3)</source>
-        <translation>Weiter: signieren (3)</translation>
+        <source>Sign (3)</source>
+        <translation>Signieren (3)</translation>
     </message>
     <message>
-        <source>Next: hand it out (4)</source>
-        <translation>Weiter: ausgeben (4)</translation>
+        <source>Hand it out (4)</source>
+        <translation>Ausgeben (4)</translation>
     </message>
     <message>
         <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
@@ -10087,6 +10119,14 @@ diesem Schritt …</translation>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
         <translation>Eine andere Person genehmigt, Sie signieren, und die Datei wird ausgegeben.</translation>
+    </message>
+    <message>
+        <source>Kept: {0}.</source>
+        <translation>Bleibt: {0}.</translation>
+    </message>
+    <message>
+        <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
+        <translation>Verloren: {0}; er kommt aus Drehungen hin und zurück ohne Unterbrechung, und davon sind zu wenige noch zu messen. So bekommt man ihn: sync-check oder ein neuer Preflight.</translation>
     </message>
 </context>
 <context>

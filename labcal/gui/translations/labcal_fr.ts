@@ -494,6 +494,14 @@
         <translation>Réglages</translation>
     </message>
     <message>
+        <source>Usual settings</source>
+        <translation>Réglages habituels</translation>
+    </message>
+    <message>
+        <source>Every setting as it was before anybody typed</source>
+        <translation>Chaque réglage comme il était avant toute saisie</translation>
+    </message>
+    <message>
         <source>The plan</source>
         <translation>Le plan</translation>
     </message>
@@ -6854,8 +6862,20 @@ cette étape …</translation>
         <translation>Ville</translation>
     </message>
     <message>
-        <source>Country, as DE</source>
-        <translation>Pays, comme DE</translation>
+        <source>Country, as DE or Germany</source>
+        <translation>Pays, par exemple FR ou France</translation>
+    </message>
+    <message>
+        <source>A country is two letters, as DE, or its name.</source>
+        <translation>Un pays s’écrit en deux lettres, comme FR, ou par son nom.</translation>
+    </message>
+    <message>
+        <source>Keep waits for: {0}.</source>
+        <translation>Garder attend : {0}.</translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
+        <translation>Est gardé …</translation>
     </message>
     <message>
         <source>Laboratory: {0}</source>
@@ -7266,10 +7286,6 @@ cette étape …</translation>
         <translation>Non : rien n’est mesuré, et la mesure prend fin. Oui : l’enregistrement dit que vous avez répondu ainsi.</translation>
     </message>
     <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
-    </message>
-    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
     </message>
@@ -7280,6 +7296,18 @@ cette étape …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first.</source>
+        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>No turn was finished: either way it begins with the first step again.</source>
+        <translation>Aucune rotation n’est terminée : dans les deux cas on recommence à la première étape.</translation>
+    </message>
+    <message>
+        <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation>Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8024,8 +8052,8 @@ cette étape …</translation>
         <translation>{0} est passé : le dernier jour de validité est aujourd’hui ou plus tard</translation>
     </message>
     <message>
-        <source>“{0}” is no day: 2027-11-21, or {1}</source>
-        <translation>« {0} » n’est pas un jour : 2027-11-21, ou {1}</translation>
+        <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
+        <translation>« {0} » n’est pas un jour ; écrivez-le comme 2027-11-21 ou {1}</translation>
     </message>
 </context>
 <context>
@@ -9701,8 +9729,12 @@ cette étape …</translation>
         <translation>▲ {0} interruptions : {1}. Mesuré de nouveau : {2}.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>rien</translation>
+        <source>▲ One interruption: {0}.</source>
+        <translation>▲ Une interruption : {0}.</translation>
+    </message>
+    <message>
+        <source>▲ {0} interruptions: {1}.</source>
+        <translation>▲ {0} interruptions : {1}.</translation>
     </message>
     <message>
         <source>at {0}, for {1}</source>
@@ -9921,20 +9953,20 @@ cette étape …</translation>
         <translation>Vérifier</translation>
     </message>
     <message>
-        <source>Next: a key (1)</source>
-        <translation>Suite : une clé (1)</translation>
+        <source>Make a key (1)</source>
+        <translation>Créer une clé (1)</translation>
     </message>
     <message>
-        <source>Next: approve (2)</source>
-        <translation>Suite : approuver (2)</translation>
+        <source>Approve (2)</source>
+        <translation>Approuver (2)</translation>
     </message>
     <message>
-        <source>Next: sign (3)</source>
-        <translation>Suite : signer (3)</translation>
+        <source>Sign (3)</source>
+        <translation>Signer (3)</translation>
     </message>
     <message>
-        <source>Next: hand it out (4)</source>
-        <translation>Suite : remettre (4)</translation>
+        <source>Hand it out (4)</source>
+        <translation>Remettre (4)</translation>
     </message>
     <message>
         <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
@@ -10087,6 +10119,14 @@ cette étape …</translation>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
         <translation>Une autre personne approuve, vous signez, et le fichier est remis.</translation>
+    </message>
+    <message>
+        <source>Kept: {0}.</source>
+        <translation>Conservé : {0}.</translation>
+    </message>
+    <message>
+        <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
+        <translation>Perdu : {0}, qui vient de rotations aller et retour sans interruption, et il en reste trop peu à mesurer. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
     </message>
 </context>
 <context>

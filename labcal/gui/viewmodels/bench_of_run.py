@@ -15,3 +15,8 @@ def stands_on(run: RunViewModel, bench: Bench) -> None:
     """The next run is of this bench: the unit of its DUT, its clock, and its links."""
     run.nominal_nT_per_unit, run.virtual_time = bench.dut.nominal_nT_per_unit, bench.virtual_time
     run.links = links_of(bench)
+
+
+def limits_of(bench: Bench | None) -> tuple[tuple[str, ...], float | None]:
+    """The power modes that the DUT of a bench may be in, and how fast it may be turned there."""
+    return ((), None) if bench is None else (bench.modes, bench.fastest_deg_per_s)
