@@ -161,13 +161,15 @@ class Frame(QMainWindow):
         row.addWidget(self.next)
         return line
 
-    def show_path(self, marks: Mapping[str, str]) -> None:
-        """A mark before the name of each page that is a step of the path."""
+    def show_path(self, marks: Mapping[str, str], why: Mapping[str, str] | None = None) -> None:
+        """A mark before the name of each page that is a step of the path; `why` it is that one, by page."""
         for index, name in enumerate(self._names):
             mark = marks.get(name, "")
             self.sidebar_buttons.button(index).setText(
                 f"{mark} {translated(name)}" if mark else f"{NO_MARK}{translated(name)}"
             )
+            tip = self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1)
+            self.sidebar_buttons.button(index).setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
 
     def say_next(self, following: str) -> None:
         """What is next, in words; what was said of another is past."""

@@ -36,6 +36,7 @@ from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widge
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
 from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.mark_words import mark_words
 from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
@@ -274,7 +275,8 @@ class Window(Frame):
         return super().eventFilter(watched, event)
 
     def _show_path(self) -> None:
-        self.show_path({name: SHAPES[mark] for name, mark in self.app_state.path.marks().items()})
+        marks, now = self.app_state.path.marks(), self.app_state.lab.state.now
+        self.show_path({name: SHAPES[mark] for name, mark in marks.items()}, mark_words(marks, now))
         self._show_next()
 
     def _show_next(self) -> None:

@@ -10127,6 +10127,54 @@ after this step …</source>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>✓ done for this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● it goes on now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ done, and something of it is open: the page says what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ it failed: the page says why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ still to be done for this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ every instrument answered within the last {0} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ no answer: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ no instrument answered within the last {0} s; Read all asks them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ a run that this DUT can be calibrated by is finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ the last run that was to calibrate this DUT did not come to its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

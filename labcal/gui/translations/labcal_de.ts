@@ -10128,6 +10128,54 @@ diesem Schritt …</translation>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
         <translation>Verloren: {0}; er kommt aus Drehungen hin und zurück ohne Unterbrechung, und davon sind zu wenige noch zu messen. So bekommt man ihn: sync-check oder ein neuer Preflight.</translation>
     </message>
+    <message>
+        <source>✓ done for this DUT</source>
+        <translation>✓ für diesen Prüfling erledigt</translation>
+    </message>
+    <message>
+        <source>● it goes on now</source>
+        <translation>● es läuft jetzt</translation>
+    </message>
+    <message>
+        <source>▲ done, and something of it is open: the page says what</source>
+        <translation>▲ erledigt, und etwas davon ist offen: Die Seite sagt, was</translation>
+    </message>
+    <message>
+        <source>✕ it failed: the page says why</source>
+        <translation>✕ es ist gescheitert: Die Seite sagt, warum</translation>
+    </message>
+    <message>
+        <source>○ still to be done for this DUT</source>
+        <translation>○ für diesen Prüfling noch zu tun</translation>
+    </message>
+    <message>
+        <source>✓ every instrument answered within the last {0} s</source>
+        <translation>✓ jedes Gerät hat in den letzten {0} s geantwortet</translation>
+    </message>
+    <message>
+        <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
+        <translation>● keine Antwort in den letzten {0} s, denn niemand hat gefragt: {1}. Von selbst werden sie ab und zu gefragt.</translation>
+    </message>
+    <message>
+        <source>✕ no answer: {1}</source>
+        <translation>✕ keine Antwort: {1}</translation>
+    </message>
+    <message>
+        <source>○ no instrument answered within the last {0} s; Read all asks them</source>
+        <translation>○ kein Gerät hat in den letzten {0} s geantwortet; Alle lesen fragt sie</translation>
+    </message>
+    <message>
+        <source>✓ a run that this DUT can be calibrated by is finished</source>
+        <translation>✓ eine Messung, mit der dieser Prüfling kalibriert werden kann, ist fertig</translation>
+    </message>
+    <message>
+        <source>▲ the last run that was to calibrate this DUT did not come to its end</source>
+        <translation>▲ die letzte Messung, die diesen Prüfling kalibrieren sollte, kam nicht zu ihrem Ende</translation>
+    </message>
+    <message>
+        <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
+        <translation>○ noch keine Messung, mit der dieser Prüfling kalibriert werden kann: Ein Preflight ist eine, eine Drehung um eine Achse keine</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -10128,6 +10128,54 @@ cette étape …</translation>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
         <translation>Perdu : {0}, qui vient de rotations aller et retour sans interruption, et il en reste trop peu à mesurer. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
     </message>
+    <message>
+        <source>✓ done for this DUT</source>
+        <translation>✓ fait pour ce DUT</translation>
+    </message>
+    <message>
+        <source>● it goes on now</source>
+        <translation>● c’est en cours</translation>
+    </message>
+    <message>
+        <source>▲ done, and something of it is open: the page says what</source>
+        <translation>▲ fait, et un point reste ouvert : la page dit lequel</translation>
+    </message>
+    <message>
+        <source>✕ it failed: the page says why</source>
+        <translation>✕ cela a échoué : la page dit pourquoi</translation>
+    </message>
+    <message>
+        <source>○ still to be done for this DUT</source>
+        <translation>○ encore à faire pour ce DUT</translation>
+    </message>
+    <message>
+        <source>✓ every instrument answered within the last {0} s</source>
+        <translation>✓ chaque instrument a répondu dans les {0} dernières s</translation>
+    </message>
+    <message>
+        <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
+        <translation>● pas de réponse dans les {0} dernières s, car personne n’a demandé : {1}. D’eux-mêmes ils sont interrogés de temps en temps.</translation>
+    </message>
+    <message>
+        <source>✕ no answer: {1}</source>
+        <translation>✕ pas de réponse : {1}</translation>
+    </message>
+    <message>
+        <source>○ no instrument answered within the last {0} s; Read all asks them</source>
+        <translation>○ aucun instrument n’a répondu dans les {0} dernières s ; Tout lire les interroge</translation>
+    </message>
+    <message>
+        <source>✓ a run that this DUT can be calibrated by is finished</source>
+        <translation>✓ une mesure qui permet d’étalonner ce DUT est terminée</translation>
+    </message>
+    <message>
+        <source>▲ the last run that was to calibrate this DUT did not come to its end</source>
+        <translation>▲ la dernière mesure qui devait étalonner ce DUT n’est pas allée à son terme</translation>
+    </message>
+    <message>
+        <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
+        <translation>○ pas encore de mesure qui permette d’étalonner ce DUT : un preflight en est une, une rotation sur un axe n’en est pas une</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -13,7 +13,8 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import WATCHED_S, mark_of
+from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.mark_words import just_read
 from labcal.gui.viewmodels.may_answer import may_answer, wanted
 from labcal.gui.viewmodels.procedure_groups import CALIBRATES
 from labcal.gui.viewmodels.resumed import to_be_resumed
@@ -273,9 +274,7 @@ class PathViewModel(QObject):
         now = self._lab.state.now
         if any(light == "fault" for _, light, _ in now.lights):
             return "broken"
-        ages = dict(now.heard_old_s)  # of contacts, which nobody asks, that of the coils
-        read = [one == "ok" or (one == "old" and (ages.get(name, now.coil_old_s) or 0) <= WATCHED_S)
-                for name, one, _ in now.lights]  # fmt: skip
+        read = just_read(now).values()
         return "done" if read and all(read) else "now" if any(read) else "open"
 
     def _of_the_run(self, last: RunLine | None) -> Mark:
