@@ -46,7 +46,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
-from labcal.gui.widgets.said_at import say_at
+from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
 from labcal.gui.widgets.sounds import is_on, switch
@@ -195,7 +195,7 @@ class Window(Frame):
         if not room:
             words = self.tr("The window has no room for larger letters: make it larger.")
             self.app_state.said_for_now.say(words)
-            say_at(self.size_switch, words)  # a run writes the line below anew, many times a second
+            say_below(self.sidebar_buttons.buttons()[-1], words)  # a run writes the line below anew, again and again
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
 

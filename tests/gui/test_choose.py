@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication
 
@@ -372,3 +372,13 @@ def test_one_button_brings_a_form_back_to_its_usual_settings(still, qtbot):
     choose.form.set_text("axes", "x")
     qtbot.mouseClick(choose.usual, Qt.MouseButton.LeftButton)
     assert (choose.form.given(), choose.form.valid(), choose.usual.isEnabled()) == ({}, True, False)
+
+
+def test_while_it_is_rehearsed_nothing_beside_the_button_moves(still, choose, qtbot):
+    still.open_page("Run")
+    QApplication.processEvents()
+    before = choose.pace.mapTo(choose, choose.pace.rect().topLeft()), choose.start.mapTo(choose, QPoint(0, 0))
+    choose.rehearse()
+    QApplication.processEvents()
+    assert (choose.give_up.isVisible(), choose.show_plan.isVisible()) == (True, False)
+    assert before == (choose.pace.mapTo(choose, choose.pace.rect().topLeft()), choose.start.mapTo(choose, QPoint(0, 0)))

@@ -64,7 +64,7 @@ def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_deta
     assert not told.all.isVisible()
     told.fold.click()
     assert told.all.isVisible()
-    assert told.all.toPlainText().count(SURPRISED) == 7
+    assert told.all.toPlainText() == f"{SURPRISED} (7×)"  # once, with how many
     assert page.trend.plot.height() >= 160
     worker.answer(ListRuns, (replace(RUN, run_id="r1"),))
     worker.answer(TellRecord, replace(TOLD, remarks=(SURPRISED,) * 7))

@@ -29,6 +29,7 @@ from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.kept_focus import focus_kept_in
+from labcal.gui.widgets.one_place import OnePlace
 from labcal.gui.widgets.parameter_form import ParameterForm, title_of
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.widgets.work_bar import WorkBar
@@ -147,9 +148,9 @@ class Choose(QWidget):
         self.show_plan.clicked.connect(self.rehearse)
         self.give_up = button(self.tr("Cancel"), self.tr("End the rehearsal; nothing was begun"))
         self.give_up.clicked.connect(self._give_up)
-        self.give_up.hide()
+        self.of_the_plan = OnePlace(self.show_plan, self.give_up)
         self.work = WorkBar()
-        row = Flow(self.pace_label, self.pace, self.give_up, self.show_plan, self.start)
+        row = Flow(self.pace_label, self.pace, self.of_the_plan, self.start)
         for part in (self.work, self.objection, self._unfinished()):
             card.body.addWidget(part)
         card.body.addLayout(row)
@@ -376,10 +377,9 @@ class Choose(QWidget):
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         rehearsing = self._rehearsed is not None and not self._app_state.run.alive
         with focus_kept_in(self, self.give_up, self.show_plan):
-            self.give_up.setVisible(rehearsing)
+            self.of_the_plan.setCurrentWidget(self.give_up if rehearsing else self.show_plan)
             self.start.setEnabled(ready)
             self.show_plan.setEnabled(ready or (self._cannot_be and not self._app_state.run.alive))
-            self.show_plan.setVisible(not rehearsing)
         self.work.show_work(rehearsing)
         of_preflight = self._shown == "preflight"
         mended = self.tr("the plan") if self._cannot_be else title_of(refused) if refused is not None else ""

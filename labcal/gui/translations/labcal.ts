@@ -3867,10 +3867,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4288,6 +4284,10 @@
     </message>
     <message>
         <source>so far nothing has the evidence of a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9284,7 +9284,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9592,6 +9592,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9601,10 +9605,6 @@ after this step …</source>
     </message>
     <message>
         <source>Trace the residual.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10009,6 +10009,10 @@ after this step …</source>
     </message>
     <message>
         <source>about {0} s more, said at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} s more, longer than was said before; said at {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

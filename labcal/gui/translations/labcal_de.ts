@@ -3867,10 +3867,6 @@
         <translation>Anpassung nach {0}</translation>
     </message>
     <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
-        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2} Mal das Rauschen in den durchsuchten Zeilen</translation>
-    </message>
-    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} tun bei dieser Messung gleich viel, und nichts, was die Abläufe dieses Labors tun, trennte sie um {1} Standardabweichungen</translation>
     </message>
@@ -4289,6 +4285,10 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>bisher hat nichts die Evidenz eines Namens</translation>
+    </message>
+    <message>
+        <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
+        <translation>eine Ursache ist in Sicht, noch nicht bewiesen: Was übrig bleibt, fällt vom {0}- auf das {1}-Fache des Rauschens ({2})</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -6185,7 +6185,7 @@
     </message>
     <message>
         <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
-        <translation>Weiter hat sich eben geändert und nichts getan. Jetzt heißt es: {0}. Noch einmal drücken.</translation>
+        <translation>„Nächstes“ hat sich eben geändert und nichts getan. Jetzt heißt es: {0}. Noch einmal drücken.</translation>
     </message>
     <message>
         <source>{0} (Ctrl+{1})</source>
@@ -6233,7 +6233,7 @@
     </message>
     <message>
         <source>Next: {0}</source>
-        <translation>Weiter: {0}</translation>
+        <translation>Nächstes: {0}</translation>
     </message>
     <message>
         <source>coils off, at any moment</source>
@@ -7150,7 +7150,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Fit the run</source>
-        <translation>Messung anpassen</translation>
+        <translation>Messung fitten</translation>
     </message>
     <message>
         <source>Trace the residual</source>
@@ -7583,7 +7583,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>To be measured: {0}; the marks at the left and Next are of it.</source>
-        <translation>Zu messen: {0}; die Zeichen links und Weiter gelten ihm.</translation>
+        <translation>Zu messen: {0}; die Zeichen links und „Nächstes“ gelten ihm.</translation>
     </message>
     <message>
         <source>Which DUT is to be measured is not said yet.</source>
@@ -7603,11 +7603,11 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>The marks at the left and Next are of no run yet.</source>
-        <translation>Die Zeichen links und Weiter gelten noch keiner Messung.</translation>
+        <translation>Die Zeichen links und „Nächstes“ gelten noch keiner Messung.</translation>
     </message>
     <message>
         <source>The marks at the left and Next are of another run: {0}.</source>
-        <translation>Die Zeichen links und Weiter gelten einer anderen Messung: {0}.</translation>
+        <translation>Die Zeichen links und „Nächstes“ gelten einer anderen Messung: {0}.</translation>
     </message>
     <message>
         <source>Back to that run</source>
@@ -9285,8 +9285,8 @@ diesem Schritt …</translation>
         <translation>mit angegebenen Fehlern; Rauschen allein {0} nT</translation>
     </message>
     <message>
-        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
-        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
+        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}; die Zahl auf der Seite Fit gilt nur |b|, ohne Richtung</translation>
     </message>
     <message>
         <source>explains nothing beyond what is named already</source>
@@ -9342,15 +9342,15 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Fit, Loop, Certificate: Next leads there.</source>
-        <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
+        <translation>Fit, Ursachen, Zertifikat: „Nächstes“ führt dorthin.</translation>
     </message>
     <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
-        <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. Weiter führt fort.</translation>
+        <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. „Nächstes“ führt fort.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
-        <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder anpassen und sehen.</translation>
+        <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder fitten und sehen.</translation>
     </message>
     <message>
         <source>Look at what was measured, mend the cause, and measure again.</source>
@@ -9593,6 +9593,10 @@ diesem Schritt …</translation>
         <translation>▲ Die Abbildung allein genügt nicht: {0} nT von |b| bleiben übrig, sein Rauschen ist {1} nT.</translation>
     </message>
     <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
+        <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene. Die Zahl auf der Seite Loop gilt dem ganzen Vektor in solchen Zeilen, auch seiner Richtung.</translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
         <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
     </message>
@@ -9603,10 +9607,6 @@ diesem Schritt …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Den Rest erklären.</translation>
-    </message>
-    <message>
-        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
-        <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -10013,8 +10013,12 @@ diesem Schritt …</translation>
         <translation>noch etwa {0} s, gesagt um {1}</translation>
     </message>
     <message>
+        <source>about {0} s more, longer than was said before; said at {1}</source>
+        <translation>noch etwa {0} s, länger als vorher gesagt; gesagt um {1}</translation>
+    </message>
+    <message>
         <source>Next: {0}</source>
-        <translation>Weiter: {0}</translation>
+        <translation>Nächstes: {0}</translation>
     </message>
     <message>
         <source>cannot be shown</source>

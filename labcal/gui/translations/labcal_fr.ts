@@ -3867,10 +3867,6 @@
         <translation>ajustement par {0}</translation>
     </message>
     <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
-        <translation>jusqu’ici {0}, pas encore prouvé : de {1} à {2} fois le bruit dans les lignes examinées</translation>
-    </message>
-    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure, et rien de ce que font les procédures de ce laboratoire ne les séparerait de {1} écarts-types</translation>
     </message>
@@ -4289,6 +4285,10 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>jusqu&apos;ici rien n&apos;a l&apos;évidence d&apos;un nom</translation>
+    </message>
+    <message>
+        <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
+        <translation>une cause est en vue, pas encore prouvée : ce qui reste passe de {0} à {1} fois le bruit ({2})</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -9285,8 +9285,8 @@ cette étape …</translation>
         <translation>avec les erreurs déclarées ; bruit seul {0} nT</translation>
     </message>
     <message>
-        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
-        <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
+        <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1} ; le chiffre de la page Fit porte sur |b| seul, sans la direction</translation>
     </message>
     <message>
         <source>explains nothing beyond what is named already</source>
@@ -9593,6 +9593,10 @@ cette étape …</translation>
         <translation>▲ La transformation seule ne suffit pas : il reste {0} nT de |b|, son bruit est de {1} nT.</translation>
     </message>
     <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
+        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture. Le chiffre de la page Loop porte sur tout le vecteur de ces lignes, direction comprise.</translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
         <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
     </message>
@@ -9603,10 +9607,6 @@ cette étape …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Expliquer le résidu.</translation>
-    </message>
-    <message>
-        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
-        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -10011,6 +10011,10 @@ cette étape …</translation>
     <message>
         <source>about {0} s more, said at {1}</source>
         <translation>encore {0} s environ, dit à {1}</translation>
+    </message>
+    <message>
+        <source>about {0} s more, longer than was said before; said at {1}</source>
+        <translation>encore environ {0} s, plus que ce qui avait été dit ; dit à {1}</translation>
     </message>
     <message>
         <source>Next: {0}</source>
