@@ -10,7 +10,7 @@ from test_certificate_steps import page as page
 from test_path import RUN, calibration
 
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
-from labcal.gui.ipc.messages import Sign, VerifyFile
+from labcal.gui.ipc.messages import ListCalibrations, Sign, VerifyFile
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.stages import stages
 from labcal.gui.widgets import next_button
@@ -207,3 +207,13 @@ def test_who_approved_is_said_once(page):
     assert not page.steps.approval.done.isVisible()
     page.steps.approval.say_done("Something else.")
     assert page.steps.approval.done.isVisible()
+
+
+def test_the_verdict_on_a_file_has_no_holes_between_its_lines(page):
+    page._app_state.quick_worker.answer(ListCalibrations, ())  # nothing below takes the room
+    page.drop.say("✓ EM-07.json", "checked at 11:09:49: VALID: signed by a.smith.", "good")
+    settle()
+    card = page.drop.card
+    lines = sum(part.sizeHint().height() for part in (page.drop.name, page.drop.words, page.drop.close_card))
+    margins = card.body.contentsMargins()
+    assert card.height() <= lines + margins.top() + margins.bottom() + 2 * card.body.spacing() + 2

@@ -61,7 +61,7 @@ class CertificatePage(QWidget):
         self.list.setPlaceholderText(self.tr("Choose a calibration"))
         self.list.currentIndexChanged.connect(self._show)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
-        self.drop = Drop(self.list)
+        self.drop = flat(Drop(self.list))
         self.drop.dropped.connect(self.verify)
         self.drop.closed.connect(self._show)
         self.drop.open_at(app_state.path.handed_out.folder())
