@@ -29,11 +29,12 @@ from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import turns_written
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
-from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain, set_state
+from labcal.gui.widgets.common import Surface, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 from labcal.gui.widgets.next_button import NextButton
+from labcal.gui.widgets.two_lines import TwoLines
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
