@@ -366,7 +366,8 @@ class Live(QWidget):
 
     def _ask(self) -> None:
         prompt = self._run.prompt
-        self.prompt.say_kept(turn=keeps_a_turn(self._run), delays=delay_words(self._run))
+        kept = self._run.step is None or keeps_a_turn(self._run)  # before a step came nobody knows that none is
+        self.prompt.say_kept(turn=kept, delays=delay_words(self._run))
         self.prompt.show_prompt(prompt)
         self._say_lab()
         decided = self._run.state == "ended" and not self._details

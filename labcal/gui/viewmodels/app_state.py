@@ -379,8 +379,7 @@ class AppState(QObject):
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""
-        run = self.run
-        if run.state == "idle":
+        if (run := self.run).state == "idle":
             return
         if run.lab is not None and run.lab is not self._taken:
             self._taken, self.kept.asked = run.lab, False
