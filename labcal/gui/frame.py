@@ -29,11 +29,12 @@ from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import turns_written
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
-from labcal.gui.widgets.common import Surface, TwoLines, label, named, plain, set_state
+from labcal.gui.widgets.common import Surface, label, named, plain, set_state
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 from labcal.gui.widgets.next_button import NextButton
+from labcal.gui.widgets.two_lines import TwoLines
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
@@ -161,13 +162,15 @@ class Frame(QMainWindow):
         row.addWidget(self.next)
         return line
 
-    def show_path(self, marks: Mapping[str, str]) -> None:
-        """A mark before the name of each page that is a step of the path."""
+    def show_path(self, marks: Mapping[str, str], why: Mapping[str, str] | None = None) -> None:
+        """A mark before the name of each page that is a step of the path; `why` it is that one, by page."""
         for index, name in enumerate(self._names):
             mark = marks.get(name, "")
             self.sidebar_buttons.button(index).setText(
                 f"{mark} {translated(name)}" if mark else f"{NO_MARK}{translated(name)}"
             )
+            tip = self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1)
+            self.sidebar_buttons.button(index).setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
 
     def say_next(self, following: str) -> None:
         """What is next, in words; what was said of another is past."""

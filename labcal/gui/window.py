@@ -36,6 +36,7 @@ from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widge
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
 from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.mark_words import mark_words
 from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.widgets import hold_button
 from labcal.gui.widgets.barcode_scanner import Scanner
@@ -45,7 +46,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
-from labcal.gui.widgets.said_at import say_at
+from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
 from labcal.gui.widgets.sounds import is_on, switch
@@ -194,7 +195,7 @@ class Window(Frame):
         if not room:
             words = self.tr("The window has no room for larger letters: make it larger.")
             self.app_state.said_for_now.say(words)
-            say_at(self.size_switch, words)  # a run writes the line below anew, many times a second
+            say_below(self.sidebar_buttons.buttons()[-1], words)  # a run writes the line below anew, again and again
         if not self.wall and self._before_wall is not None:
             self.style_queue.add(partial(self.resize, self._before_wall))
 
@@ -274,7 +275,8 @@ class Window(Frame):
         return super().eventFilter(watched, event)
 
     def _show_path(self) -> None:
-        self.show_path({name: SHAPES[mark] for name, mark in self.app_state.path.marks().items()})
+        marks, now = self.app_state.path.marks(), self.app_state.lab.state.now
+        self.show_path({name: SHAPES[mark] for name, mark in marks.items()}, mark_words(marks, now))
         self._show_next()
 
     def _show_next(self) -> None:

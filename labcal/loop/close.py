@@ -101,7 +101,8 @@ def accepted_in_words(pool: CandidateSet, accepted: Sequence[Candidate]) -> str:
         return NOTHING
     before, after = (rms(pool.residual(some)[pool.rows]) for some in ((), accepted))
     return (
-        f"so far {_named(accepted)}, not proven yet: {before:.1f} to {after:.1f} times the noise in the rows searched"
+        f"a cause is in sight, not proven yet: what is left over falls from {before:.1f} to {after:.1f} times the "
+        f"noise ({_named(accepted)})"
     )
 
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QLabel, QPushButton
 
 from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, PlatformReading, unread
-from labcal.gui.ipc.answers import CoilEnd, Doubt, Identified, InstrumentAnswer, SwitchedOff
+from labcal.gui.ipc.answers import CoilEnd, Doubt, Ended, Identified, InstrumentAnswer, SwitchedOff
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
@@ -259,3 +259,26 @@ def test_who_answered_is_whole_where_the_table_is_rolled_anyway(still, bench, qt
     assert table.horizontalScrollBar().maximum() > 0
     assert table.text(1, column).endswith(named)
     still.resize(before)
+
+
+@pytest.mark.parametrize("change", ["file", "link", "none"])
+def test_another_bench_begins_with_no_reading_of_the_one_before(still, bench, change):
+    app_state = still.app_state
+    app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    read = [Block(kind, name, ("x", "y", "z"), T, FIELD) for kind, name in (("dut", "dut"), ("reference", "reference"))]
+    app_state.bench_worker.items.emit(tuple(read))
+    told(still)
+    app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    facts, path = app_state.facts, app_state.bench
+    if change == "link":
+        moved = {"dut": replace(facts.instruments["dut"], link="serial:///dev/pts/7")}
+        facts = replace(facts, instruments=facts.instruments | moved)
+    app_state.bench_known("/another/bench.toml" if change == "file" else path, facts)
+    app_state.run.changed.emit()  # as at a change of the language: the ended run's lab stays with its bench
+    bench.show_readings()
+    last = {bench.table.text(row, 1): bench.table.text(row, 4) for row in range(bench.table.rowCount())}
+    if change == "none":
+        assert last["dut"].startswith(reading_text("dut", FIELD[0]))
+        assert last["supply_x"] != "–"
+    else:
+        assert set(last.values()) == {"–"}

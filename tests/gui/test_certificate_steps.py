@@ -287,7 +287,7 @@ def test_a_run_that_was_never_traced_says_so_above_its_approval(page, method, le
     assert page.steps.approval.mark.text() == "● to do now"  # and it may be approved as it is
     page._app_state.path.take_runs((replace(RUN, verdict="explained"),))
     assert not page.doubt.isVisible()
-    assert page.to_do.text() == "Next: approve (2)"
+    assert page.to_do.text() == "Next: Approve (2)"
 
 
 def test_fields_and_buttons_of_a_row_stand_at_one_height_where_one_mark_has_no_room_beside_its_heading(page):

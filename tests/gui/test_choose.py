@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QApplication
 
@@ -349,3 +349,36 @@ def test_next_begins_what_is_chosen_and_chooses_nothing_else(still):
     assert choose.start.hasFocus()
     still.open_page("Start")
     assert still.next.text() == "Next: Calibrate EM-07"
+
+
+def test_a_setting_refused_for_one_dut_says_nothing_of_the_next_on_another_page(still):
+    choose = still.page("Run").choose
+    still.open_page("Run")
+    still.app_state.set_identity(dut="EM-07")
+    choose.form.set_text("inclination_deg", "80")
+    still.open_page("Start")
+    assert still.app_state.path.refused == "Inclination"  # of this DUT it is still what is in the way
+    still.app_state.set_identity(dut="EM-08")
+    assert still.app_state.path.refused == ""
+    still.open_page("Run")
+    assert still.app_state.path.refused == "Inclination"  # where it is in sight
+
+
+def test_one_button_brings_a_form_back_to_its_usual_settings(still, qtbot):
+    choose = still.page("Run").choose
+    still.open_page("Run")
+    assert not choose.usual.isEnabled()
+    choose.form.set_text("inclination_deg", "80")
+    choose.form.set_text("axes", "x")
+    qtbot.mouseClick(choose.usual, Qt.MouseButton.LeftButton)
+    assert (choose.form.given(), choose.form.valid(), choose.usual.isEnabled()) == ({}, True, False)
+
+
+def test_while_it_is_rehearsed_nothing_beside_the_button_moves(still, choose, qtbot):
+    still.open_page("Run")
+    QApplication.processEvents()
+    before = choose.pace.mapTo(choose, choose.pace.rect().topLeft()), choose.start.mapTo(choose, QPoint(0, 0))
+    choose.rehearse()
+    QApplication.processEvents()
+    assert (choose.give_up.isVisible(), choose.show_plan.isVisible()) == (True, False)
+    assert before == (choose.pace.mapTo(choose, choose.pace.rect().topLeft()), choose.start.mapTo(choose, QPoint(0, 0)))

@@ -62,9 +62,10 @@ def test_two_chosen_runs_are_compared_the_older_one_first_and_back_again(still, 
     qtbot.mouseClick(page.compare, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.commands(CompareRuns) == [CompareRuns("r1", "r2")]
     found = Comparison(side("r1", "r1.json", 30.0), side("r2", offset=-30.0), FOUND)
-    still.app_state.fit_worker.answer(CompareRuns, found)
     view = page.comparison
-    assert view.isVisible()
+    assert (view.isVisible(), view.picture.isVisible()) == (True, False)  # no axes of nothing
+    still.app_state.fit_worker.answer(CompareRuns, found)
+    assert view.picture.isVisible()
     assert view.whose.text().splitlines() == [
         "Earlier: run r1, calibration r1.json", "Later: run r2, fitted now (it has no calibration)"
     ]  # fmt: skip

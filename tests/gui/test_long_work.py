@@ -42,7 +42,9 @@ def test_what_is_computed_shows_a_bar_until_it_is_stopped(still, studied, qtbot,
     assert not page.work.isVisible()
     getattr(studied, begin)(*(["ml"] if begin == "fit" else []))
     assert page.work.isVisible()
-    assert page.work.maximum() == (100 if begin == "close_loop" else 0)  # filled by stages, or it moves
+    assert page.work.maximum() == 0  # it moves: nothing is known of how far it is
+    still.app_state.fit_worker.progress.emit("scoring every effect")
+    assert page.work.maximum() == (100 if begin == "close_loop" else 0)  # filled by stages
     qtbot.mouseClick(page.cancel, Qt.MouseButton.LeftButton)
     assert still.app_state.fit_worker.killed == 1
     assert not page.work.isVisible()

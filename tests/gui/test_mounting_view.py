@@ -75,3 +75,9 @@ def test_a_name_stands_on_no_line_where_it_can_be_helped():
     beside = QLineF(105, 100, 160, 100)
     (place,) = placed([tip], [beside], QRectF(0, 0, 300, 300))
     assert not any(place.contains(beside.pointAt(n / 50)) for n in range(51))
+
+
+def test_two_names_stand_apart_and_do_not_touch():
+    tips = [Tip(QPointF(100, 100), 0.0, QSizeF(50, 16)), Tip(QPointF(100, 117), 0.0, QSizeF(50, 16))]
+    first, second = placed(tips, [], QRectF(0, 0, 300, 300))
+    assert not first.adjusted(-5, -5, 5, 5).intersects(second)

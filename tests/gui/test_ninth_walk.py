@@ -111,7 +111,7 @@ def test_what_is_typed_quickly_and_is_no_serial_stays_in_its_field(still, qtbot)
 def test_the_last_estimate_of_a_tracing_stays_with_its_time_and_fills_the_bar():
     now = [0.0]
     pace = TracePace(lambda: now[0])
-    assert (pace.words(), pace.share()) == ("", 0.0)
+    assert (pace.words(), pace.share()) == ("", None)
     pace.hear("scoring every effect")
     now[0] = 20.0
     pace.hear("this run takes about 60 s more and may be stopped; so far nothing has the evidence of a name")
@@ -155,3 +155,19 @@ def test_what_settings_mean_stands_below_them_in_a_narrow_form(new_window, qtbot
         form.layout().activate()
         field, about = form.fields["axes"], form.complaints["axes"]
         assert (about.y() >= field.y() + field.height()) == below
+
+
+def test_the_bar_of_a_tracing_never_goes_back_and_a_longer_estimate_says_that_it_is_one():
+    now = [0.0]
+    pace = TracePace(lambda: now[0])
+    assert pace.share() is None  # it moves, and stands nowhere
+    now[0] = 10.0
+    pace.hear("this run takes about 30 s more and may be stopped")
+    now[0] = 34.0
+    assert pace.share() == 34 / 40
+    pace.hear("this run takes about 56 s more and may be stopped")
+    assert pace.share() == 34 / 40
+    assert pace.words().startswith("about 56 s more, longer than was said before; said at ")
+    now[0] = 60.0
+    pace.hear("this run takes about 20 s more and may be stopped")
+    assert pace.words().startswith("about 20 s more, said at ")

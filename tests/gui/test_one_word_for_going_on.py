@@ -30,3 +30,12 @@ def test_the_window_has_one_word_for_it(language):
 def test_what_instruments_say_to_do_is_named_like_the_button():
     texts = [path.read_text(encoding="utf-8") for room in ("labcal", "drivers") for path in (HOME / room).rglob("*.py")]
     assert not [text for text in texts if re.search("begin this step again", text, re.IGNORECASE)]
+
+
+def test_in_german_next_and_go_on_are_two_words():
+    told = {one.findtext("source"): one.findtext("translation") or "" for one in messages("de")}
+    go_on, following = told["Go on"], told["Next: {0}"].partition(":")[0]
+    assert go_on != following
+    of_next = [text for source, text in told.items() if re.search(r"\bNext\b", source or "")]
+    assert of_next
+    assert not [text for text in of_next if re.search(rf"\b{go_on}\b", text)]

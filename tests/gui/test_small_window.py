@@ -99,5 +99,13 @@ def test_where_there_is_no_room_for_larger_letters_that_is_said(new_window):
     new_window.resize(*SMALL)
     new_window.toggle_wall()
     assert new_window.message.text() == "The window has no room for larger letters: make it larger."
-    assert QToolTip.text() == new_window.message.text()  # at the button: a run writes the line below anew
+    assert new_window.message.text() in QToolTip.text()  # also there: a run writes the line below anew
+    (tip,) = (one for one in QApplication.topLevelWidgets() if one.inherits("QTipLabel"))
+    last = new_window.sidebar_buttons.buttons()[-1]
+    below, side = last.mapTo(new_window, last.rect().bottomLeft()).y(), new_window.sidebar.width()
+    top, left = new_window.mapFromGlobal(tip.pos()).y(), new_window.mapFromGlobal(tip.pos()).x()
+    assert below <= top
+    assert left + tip.width() <= side + tip.contentsMargins().left() + 4  # over no table, no button, no note
+    switch = new_window.size_switch
+    assert top + tip.height() <= switch.mapTo(new_window, switch.rect().topLeft()).y()
     new_window.toggle_wall()

@@ -7,10 +7,11 @@ import pytest
 from PySide6.QtWidgets import QFileDialog
 from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, settle, told
 from test_certificate_steps import page as page
-from test_path import calibration
+from test_path import RUN, calibration
 
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
-from labcal.gui.ipc.messages import Sign, VerifyFile
+from labcal.gui.ipc.messages import ListCalibrations, Sign, VerifyFile
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.stages import stages
 from labcal.gui.widgets import next_button
 
@@ -43,7 +44,7 @@ def test_first_stands_what_it_is_then_what_to_do_and_the_figures_last(page):
     order = (page.drop, page.detail, page.steps, page.paper, page.figures)
     tops = [part.y() for part in order]
     assert tops == sorted(tops)
-    assert page.to_do.text() == "Next: sign (3)"
+    assert page.to_do.text() == "Next: Sign (3)"
     assert page.drop.choose.text() == "Verify a file …"
     assert page.drop.choose.y() < page.detail.y()
 
@@ -174,3 +175,45 @@ def test_what_was_verified_is_said_with_file_and_time_until_another_dut_comes(pa
     page.paper.handed_out.emit(RELEASED, str(tmp_path / "EM-07.json"))
     page.drop.choose.click()
     assert opened == [str(tmp_path)]
+
+
+def test_why_keep_is_grey_is_said_as_long_as_it_is(page):
+    told(page, DRAFT)
+    known(page, NOBODY)
+    for field, words in zip(page.names.laboratory, ("A lab", "", "Germany"), strict=True):
+        field.setText(words)
+    assert (page.names.keep.isEnabled(), page.names.wrong.text()) == (
+        False, "Keep waits for: Laboratory on the certificate: City."
+    )  # fmt: skip
+    page.names.laboratory[1].setText("Bern")
+    assert (page.names.keep.isEnabled(), page.names.wrong.isVisible()) == (True, False)
+    page.names.keep.click()
+    assert (page.names.keep.isEnabled(), page.names.wrong.text()) == (False, "Being kept …")
+    page._app_state.quick_worker.asked[-1].failed(Fault("input", "The disk is full."))
+    assert (page.names.keep.isEnabled(), page.names.wrong.isVisible()) == (True, False)
+
+
+@pytest.mark.parametrize(("one", "words"), [(DRAFT, "Approve (2)"), (APPROVED, "Sign (3)")])
+def test_of_a_draft_one_set_of_steps_is_in_sight_and_next_says_the_same_everywhere(page, one, words):
+    page._app_state.path.take_runs((replace(RUN, verdict="explained"),))
+    told(page, one, "a.smith")
+    assert (page.stage.isVisible(), page.to_do.text()) == (False, f"Next: {words}")
+    assert page.window().next.text() == f"Next: {words}"
+
+
+def test_who_approved_is_said_once(page):
+    told(page, APPROVED, "a.smith")
+    page.steps.approval.say_done(page.steps.approval.words.text())
+    assert not page.steps.approval.done.isVisible()
+    page.steps.approval.say_done("Something else.")
+    assert page.steps.approval.done.isVisible()
+
+
+def test_the_verdict_on_a_file_has_no_holes_between_its_lines(page):
+    page._app_state.quick_worker.answer(ListCalibrations, ())  # nothing below takes the room
+    page.drop.say("✓ EM-07.json", "checked at 11:09:49: VALID: signed by a.smith.", "good")
+    settle()
+    card = page.drop.card
+    lines = sum(part.sizeHint().height() for part in (page.drop.name, page.drop.words, page.drop.close_card))
+    margins = card.body.contentsMargins()
+    assert card.height() <= lines + margins.top() + margins.bottom() + 2 * card.body.spacing() + 2

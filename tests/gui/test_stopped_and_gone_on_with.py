@@ -302,3 +302,32 @@ def test_who_goes_to_another_page_by_keyboard_does_not_land_in_the_serial(still,
     assert QApplication.focusWidget() is still.sidebar_buttons.checkedButton()
     qtbot.keyClicks(QApplication.focusWidget(), "X", delay=60)
     assert still.app_state.lab.state.dut_serial == "EM-07"
+
+
+TURNS = ("zero", "mount-x", "x+20uT-nominal", "x-20uT-nominal", "closure-x", "mount-y", "y+20uT-nominal", "closing")
+NOISE = Measurement(1.0, "x+20uT-nominal: noise", 15.0, 1.0, "nT", 22.0)
+DELAY_X = Measurement(2.0, "delay x", 0.01, 0.001, "s", 0.1)
+ASKS = Prompt(9.0, "mounting-stands", "Is it still mounted?", ("yes", "no"), True)
+
+
+@pytest.mark.parametrize(
+    ("at", "measured", "said"),
+    [
+        (3, (), "No turn was finished"),  # the first turn of two broke off: both are measured after it
+        (4, (NOISE,), "Lost: delay x, which comes of turns there and back"),
+        (7, (NOISE, DELAY_X), "Kept: delay x."),
+    ],
+)
+def test_what_becomes_of_the_delay_is_said_at_the_stop_and_at_the_question_before_it_goes_on(
+    running, at, measured, said
+):
+    worker, run, live = running.app_state.bench_worker, running.app_state.run, running.page("Run").live
+    running.app_state.path.resumable = frozenset({"preflight"})
+    worker.items.emit((Measurement(0.5, "zero: ref_x", 1.0, 1.0, "nT", 0.0), *measured))
+    worker.items.emit((Step(3.0, at, len(TURNS), TURNS[at - 1], 60.0, TURNS),))
+    worker.answer(RunProcedure, Ended("r1", "interrupted", STOPPED))
+    assert said in live.fault.text.text()
+    run.resume("r1", run.order)
+    worker.items.emit((Step(8.0, 1, len(TURNS), "zero", 60.0, TURNS), ASKS))
+    assert said in live.prompt.hint.text()
+    assert ("with their ticks" in live.prompt.hint.text()) is bool(measured)

@@ -64,7 +64,7 @@ def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_deta
     assert not told.all.isVisible()
     told.fold.click()
     assert told.all.isVisible()
-    assert told.all.toPlainText().count(SURPRISED) == 7
+    assert told.all.toPlainText() == f"{SURPRISED} (7×)"  # once, with how many
     assert page.trend.plot.height() >= 160
     worker.answer(ListRuns, (replace(RUN, run_id="r1"),))
     worker.answer(TellRecord, replace(TOLD, remarks=(SURPRISED,) * 7))
@@ -162,3 +162,10 @@ def test_an_estimate_that_does_not_follow_says_whose_it_is_and_what_rests_on_it(
     assert said == ASTRAY
     assert said.startswith(SO_FAR)
     assert form_of(said) is not None
+
+
+def test_where_nothing_is_measured_again_yet_that_is_no_result():
+    first, again = Interruption("x+50uT-nominal", None, (), timed=False), Interruption("zero", None, (), timed=False)
+    assert interrupted_words(Told((first,))) == "▲ One interruption: at x +50 µT nominal."
+    said = "▲ 2 interruptions: at x +50 µT nominal; at offset and first position."
+    assert interrupted_words(Told((first, again))) == said

@@ -29,6 +29,7 @@ def test_the_figures_at_the_top_say_that_declared_errors_are_in_them(page):
     assert page.before_after.text() == "157.4 → 33.4 nT"
     assert page.noise.text() == "with declared errors; noise alone 53.7 nT"
     assert "with the errors in it that the run declares" in page.noise.toolTip()
+    assert "the figure on the Fit page is of |b| alone" in page.noise.toolTip()  # why the two are not the same
     assert "noise alone, of one such row: 53.7 nT" in page.summary.text()
 
 
@@ -48,3 +49,4 @@ def test_the_noise_of_a_fit_is_that_of_one_reading_of_the_magnitude(still):
         assert "of |b| are left over" in str(words)
         assert "its noise" in str(words)
     assert "stated of |b| in one reading" in still.page("Fit").verdict.toolTip()
+    assert "on the Loop page is of the whole vector" in still.page("Fit").verdict.toolTip()

@@ -21,8 +21,8 @@ def test_a_long_run_says_how_long_and_what_is_known_so_far(
     said: list[str] = []
     close.close_loop(session.load_run(str(making.written(tmp_path, rows, segments))), said.append)
     warned, proving = (next(text for text in said if text.startswith(word)) for word in ("this run", "holding"))
-    assert "s more and may be stopped; so far offset-current (i_load), not proven yet" in warned
-    before, after = (float(word) for word in proving.split(": ")[1].split(" times")[0].split(" to "))
+    assert "s more and may be stopped; a cause is in sight, not proven yet" in warned
+    before, after = (float(word) for word in proving.split(" falls from ")[1].split(" times")[0].split(" to "))
     assert before > 2
     assert 0.8 < after < 1.2
 
@@ -55,11 +55,11 @@ def _stopped_in(place: str, making: ModuleType, folder: Path, patch: pytest.Monk
     [
         ("close.check_data", "fitting the base model", "nothing is known yet"),
         pytest.param(
-            "selection.select.likelier_forms", "scoring", "so far offset-current (i_load), not proven yet",
+            "selection.select.likelier_forms", "scoring", "a cause is in sight, not proven yet",
             marks=pytest.mark.slow,
         ),
-        ("selection.proof.nested_selection", "scoring the selection on each part", "so far offset-current"),
-        ("close.final_fit", "scoring what does as well", "so far offset-current (i_load), not proven yet"),
+        ("selection.proof.nested_selection", "scoring the selection on each part", "(offset-current"),
+        ("close.final_fit", "scoring what does as well", "a cause is in sight, not proven yet"),
     ],
 )  # fmt: skip
 def test_stopped_it_tells_what_it_did_and_what_it_knows(
@@ -76,5 +76,7 @@ def test_a_long_search_says_what_it_weighs(making: ModuleType, tmp_path: Path, m
     rows["dut"] = rows["dut"] + 200 * rows["i_load"][:, None] * np.array([1.0, -0.7, 0.5])
     said: list[str] = []
     close.close_loop(session.load_run(str(making.written(tmp_path, rows, segments))), said.append)
-    assert any(text.startswith("scoring every effect beside offset-current (i_load); so far") for text in said)
+    assert any(
+        text.startswith("scoring every effect beside offset-current (i_load); a cause is in sight") for text in said
+    )
     assert any(text.startswith("scoring what does as well beside offset-current (i_load)") for text in said)

@@ -22,7 +22,7 @@ from labcal.gui.viewmodels.calibration_rows import PARAMETERS
 from labcal.gui.viewmodels.signing import SigningStep, doubts, file_state, file_word, handed_out_as, state_of, steps
 from labcal.gui.viewmodels.stages import stages, to_be_done
 from labcal.gui.viewmodels.told_words import open_words
-from labcal.gui.viewmodels.untraced import comes_first, not_traced
+from labcal.gui.viewmodels.untraced import comes_first, next_is, not_traced
 from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
@@ -61,7 +61,7 @@ class CertificatePage(QWidget):
         self.list.setPlaceholderText(self.tr("Choose a calibration"))
         self.list.currentIndexChanged.connect(self._show)
         self.figures, self.empty_card = self._figures_card(theme), flat(self._empty_card())
-        self.drop = Drop(self.list)
+        self.drop = flat(Drop(self.list))
         self.drop.dropped.connect(self.verify)
         self.drop.closed.connect(self._show)
         self.drop.open_at(app_state.path.handed_out.folder())
@@ -253,6 +253,7 @@ class CertificatePage(QWidget):
             self.paper.show_step(stands[-1])
             kept = self._app_state.path.handed_out
             self.stage.setText(stages(one, handed_out=kept.holds(one), verified=kept.verified(one)))
+            self.stage.setVisible(all(step.mark != "now" for step in stands))  # else the cards below say it
             self._say_to_do(one, stands)
             self._show_named()
             set_state(self.paper.words, "warning" if handed_out_as(one) else "")
@@ -270,7 +271,9 @@ class CertificatePage(QWidget):
     def _say_to_do(self, one: CalibrationFile, stands: tuple[SigningStep, ...]) -> None:
         """What is next, and why who approves has to think."""
         path = self._app_state.path
-        self.to_do.setText(comes_first(path, one) or to_be_done(tuple(step.mark for step in stands)))
+        step = to_be_done([step.mark for step in stands])
+        path.take_step(one.run_id, step)
+        self.to_do.setText(comes_first(path, one) or next_is(step))
         self.doubt.setText(" ".join(filter(None, (doubts(one), not_traced(path, one)))))
         for part in (self.to_do, self.doubt):
             part.setVisible(bool(part.text()))

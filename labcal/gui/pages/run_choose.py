@@ -20,6 +20,7 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.bench_of_run import limits_of
 from labcal.gui.viewmodels.path import Wanted
 from labcal.gui.viewmodels.plan_words import needs_text, plan_line
 from labcal.gui.viewmodels.procedure_groups import group_of, grouped
@@ -28,6 +29,7 @@ from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.kept_focus import focus_kept_in
+from labcal.gui.widgets.one_place import OnePlace
 from labcal.gui.widgets.parameter_form import ParameterForm, title_of
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.widgets.work_bar import WorkBar
@@ -47,15 +49,13 @@ class Choose(QWidget):
         self.form: ParameterForm | None = None
         self._wanted, self._plan_wanted = Wanted("preflight"), False
         self._shown, self._typed = "", dict[str, dict[str, str]]()  # whose form it is; what was typed, by procedure
-        self._proposed, self._is_as_proposed = (
-            Wanted(""),
-            False,
-        )  # with its settings; shown so
+        self._proposed, self._is_as_proposed = Wanted(""), False  # with its settings; shown so
+        self._typed_for = ""  # the DUT that stood at the top when a setting was typed last
         self._rehearsed: object | None = None  # what is being rehearsed; Start waits for it
         self._planned: tuple[str, dict[str, str]] | None = None  # what the plan is of
         self._planned_on: Bench | None = None  # whose plan it is
         self._cannot_be = False  # so the plan says: nothing is begun before its reason is away
-        self._limits = _limits_of(None)  # of the bench that the form is for
+        self._limits = limits_of(None)  # of the bench that the form is for
         self._needs_of: Procedure | None = None  # the procedure of the form, as it is set
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -71,7 +71,12 @@ class Choose(QWidget):
 
     def showEvent(self, event: object) -> None:
         """What there is now."""
+        self._check()
         self._refresh()
+
+    def hideEvent(self, event: object) -> None:
+        """Elsewhere what is refused here speaks of the DUT that it was typed for alone."""
+        self._check()
 
     def _refresh(self) -> None:
         """Whether a run is to be gone on with: of this window, or of one before it."""
@@ -108,7 +113,12 @@ class Choose(QWidget):
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setMinimumHeight(AREA_PX)
         self.needs = label("", "caption", wrap=True)
-        card.body.addWidget(self.title)
+        self.usual = button(self.tr("Usual settings"), self.tr("Every setting as it was before anybody typed"))
+        self.usual.clicked.connect(self._make_usual)
+        head = QHBoxLayout()
+        head.addWidget(self.title, 1)
+        head.addWidget(self.usual, 0, Qt.AlignmentFlag.AlignTop)
+        card.body.addLayout(head)
         card.body.addWidget(self.needs)
         card.body.addWidget(self._area, 1)
         self.plan = label("", wrap=True)
@@ -138,9 +148,9 @@ class Choose(QWidget):
         self.show_plan.clicked.connect(self.rehearse)
         self.give_up = button(self.tr("Cancel"), self.tr("End the rehearsal; nothing was begun"))
         self.give_up.clicked.connect(self._give_up)
-        self.give_up.hide()
+        self.of_the_plan = OnePlace(self.show_plan, self.give_up)
         self.work = WorkBar()
-        row = Flow(self.pace_label, self.pace, self.give_up, self.show_plan, self.start)
+        row = Flow(self.pace_label, self.pace, self.of_the_plan, self.start)
         for part in (self.work, self.objection, self._unfinished()):
             card.body.addWidget(part)
         card.body.addLayout(row)
@@ -217,6 +227,15 @@ class Choose(QWidget):
         words = self.tr("What this measures is added to run {0}; then the cause is decided again, by itself.")
         mine = self.tr("Its settings are those that tell most there; the next run has the usual ones again.")
         return [words.format(study.run), *([mine] if self._is_as_proposed else [])]
+
+    def _make_usual(self) -> None:
+        if self.form is not None:
+            with focus_kept_in(self, self.form):
+                self.form.make_usual()
+
+    def _setting_typed(self) -> None:
+        self._typed_for = self._app_state.lab.state.dut_serial
+        self._other_settings()
 
     def _other_settings(self) -> None:
         """A plan is that of its settings."""
@@ -300,7 +319,7 @@ class Choose(QWidget):
         if self.form is not None and self.form is not self._area.widget():
             self.form.hide()  # it never came to be shown, and nothing else would take it away
             self.form.deleteLater()
-        self._limits = modes, fastest = _limits_of(self._app_state.facts)
+        self._limits = modes, fastest = limits_of(self._app_state.facts)
         self.form = ParameterForm([for_rate(for_modes(spec, modes), fastest) for spec in one.parameters])
         self._shown = name
         proposed = self._proposed.settings if self._proposed.names == name else {}
@@ -308,14 +327,14 @@ class Choose(QWidget):
         for key, text in ({} if proposed else self._typed.get(name, {})).items():
             self.form.set_text(key, text)
         self.form.propose(proposed)
-        self.form.changed.connect(self._other_settings)
+        self.form.changed.connect(self._setting_typed)
         self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
 
     def _bench_known(self) -> None:
         """A form is that of its bench: another DUT may have other power modes, and another fastest rate."""
-        other = self._limits != _limits_of(self._app_state.facts)
+        other = self._limits != limits_of(self._app_state.facts)
         if self.form is not None and self._shown in self._procedures and other:
             self._chosen(self._shown)
         if self._cannot_be and self._app_state.facts is not self._planned_on:  # another bench may be able to
@@ -358,14 +377,15 @@ class Choose(QWidget):
         ready = not objection and self.form is not None and not self._app_state.run.alive and self._rehearsed is None
         rehearsing = self._rehearsed is not None and not self._app_state.run.alive
         with focus_kept_in(self, self.give_up, self.show_plan):
-            self.give_up.setVisible(rehearsing)
+            self.of_the_plan.setCurrentWidget(self.give_up if rehearsing else self.show_plan)
             self.start.setEnabled(ready)
             self.show_plan.setEnabled(ready or (self._cannot_be and not self._app_state.run.alive))
-            self.show_plan.setVisible(not rehearsing)
         self.work.show_work(rehearsing)
         of_preflight = self._shown == "preflight"
         mended = self.tr("the plan") if self._cannot_be else title_of(refused) if refused is not None else ""
-        named = mended if of_preflight else ""
+        speaks = of_preflight and (self.isVisible() or self._typed_for == state.dut_serial)
+        named = mended if speaks else ""
+        self.usual.setEnabled(self.form is not None and not self.form.is_usual())
         self._app_state.path.take_form(named, self._shown if ready else "")
 
     def refused_field(self) -> QWidget | None:
@@ -380,8 +400,3 @@ class Choose(QWidget):
         if self._is_as_proposed:  # for one run
             self._proposed = Wanted("")
             self._chosen(self._shown)
-
-
-def _limits_of(facts: Bench | None) -> tuple[tuple[str, ...], float | None]:
-    """The power modes that the DUT of a bench may be in, and how fast it may be turned there."""
-    return ((), None) if facts is None else (facts.modes, facts.fastest_deg_per_s)

@@ -15,12 +15,13 @@ from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.answers_again import AnswersAgain
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.by_hand import by_hand_words
+from labcal.gui.viewmodels.delays_left import delay_words
 from labcal.gui.viewmodels.failed_step import SHOWN, in_short
 from labcal.gui.viewmodels.lab_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
-from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
+from labcal.gui.viewmodels.run_verdict import keeps_a_turn, run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, headline_state, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
@@ -365,6 +366,8 @@ class Live(QWidget):
 
     def _ask(self) -> None:
         prompt = self._run.prompt
+        kept = self._run.step is None or keeps_a_turn(self._run)  # before a step came nobody knows that none is
+        self.prompt.say_kept(turn=kept, delays=delay_words(self._run))
         self.prompt.show_prompt(prompt)
         self._say_lab()
         decided = self._run.state == "ended" and not self._details

@@ -494,6 +494,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Usual settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every setting as it was before anybody typed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The plan</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3859,10 +3867,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4280,6 +4284,10 @@
     </message>
     <message>
         <source>so far nothing has the evidence of a name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6853,7 +6861,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Country, as DE</source>
+        <source>Country, as DE or Germany</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A country is two letters, as DE, or its name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep waits for: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7265,10 +7285,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7278,6 +7294,18 @@ after this step …</source>
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No turn was finished: either way it begins with the first step again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8023,7 +8051,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>“{0}” is no day: 2027-11-21, or {1}</source>
+        <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9256,7 +9284,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9564,6 +9592,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9573,10 +9605,6 @@ after this step …</source>
     </message>
     <message>
         <source>Trace the residual.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9700,7 +9728,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>nothing</source>
+        <source>▲ One interruption: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ {0} interruptions: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9920,19 +9952,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: a key (1)</source>
+        <source>Make a key (1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: approve (2)</source>
+        <source>Approve (2)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: sign (3)</source>
+        <source>Sign (3)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Next: hand it out (4)</source>
+        <source>Hand it out (4)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9977,6 +10009,10 @@ after this step …</source>
     </message>
     <message>
         <source>about {0} s more, said at {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about {0} s more, longer than was said before; said at {1}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10085,6 +10121,62 @@ after this step …</source>
     </message>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kept: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ done for this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● it goes on now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ done, and something of it is open: the page says what</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ it failed: the page says why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ still to be done for this DUT</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ every instrument answered within the last {0} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ no answer: {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ no instrument answered within the last {0} s; Read all asks them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ a run that this DUT can be calibrated by is finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ the last run that was to calibrate this DUT did not come to its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -494,6 +494,14 @@
         <translation>Einstellungen</translation>
     </message>
     <message>
+        <source>Usual settings</source>
+        <translation>Übliche Einstellungen</translation>
+    </message>
+    <message>
+        <source>Every setting as it was before anybody typed</source>
+        <translation>Jede Einstellung, wie sie war, bevor jemand etwas eingetippt hat</translation>
+    </message>
+    <message>
         <source>The plan</source>
         <translation>Der Plan</translation>
     </message>
@@ -3859,10 +3867,6 @@
         <translation>Anpassung nach {0}</translation>
     </message>
     <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
-        <translation>bisher {0}, noch nicht bewiesen: {1} auf {2} Mal das Rauschen in den durchsuchten Zeilen</translation>
-    </message>
-    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} tun bei dieser Messung gleich viel, und nichts, was die Abläufe dieses Labors tun, trennte sie um {1} Standardabweichungen</translation>
     </message>
@@ -4281,6 +4285,10 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>bisher hat nichts die Evidenz eines Namens</translation>
+    </message>
+    <message>
+        <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
+        <translation>eine Ursache ist in Sicht, noch nicht bewiesen: Was übrig bleibt, fällt vom {0}- auf das {1}-Fache des Rauschens ({2})</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -6177,7 +6185,7 @@
     </message>
     <message>
         <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
-        <translation>Weiter hat sich eben geändert und nichts getan. Jetzt heißt es: {0}. Noch einmal drücken.</translation>
+        <translation>„Nächstes“ hat sich eben geändert und nichts getan. Jetzt heißt es: {0}. Noch einmal drücken.</translation>
     </message>
     <message>
         <source>{0} (Ctrl+{1})</source>
@@ -6225,7 +6233,7 @@
     </message>
     <message>
         <source>Next: {0}</source>
-        <translation>Weiter: {0}</translation>
+        <translation>Nächstes: {0}</translation>
     </message>
     <message>
         <source>coils off, at any moment</source>
@@ -6854,8 +6862,20 @@ diesem Schritt …</translation>
         <translation>Ort</translation>
     </message>
     <message>
-        <source>Country, as DE</source>
-        <translation>Land, wie DE</translation>
+        <source>Country, as DE or Germany</source>
+        <translation>Land, etwa DE oder Deutschland</translation>
+    </message>
+    <message>
+        <source>A country is two letters, as DE, or its name.</source>
+        <translation>Ein Land sind zwei Buchstaben, etwa DE, oder sein Name.</translation>
+    </message>
+    <message>
+        <source>Keep waits for: {0}.</source>
+        <translation>Übernehmen wartet auf: {0}.</translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
+        <translation>Wird übernommen …</translation>
     </message>
     <message>
         <source>Laboratory: {0}</source>
@@ -7130,7 +7150,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Fit the run</source>
-        <translation>Messung anpassen</translation>
+        <translation>Messung fitten</translation>
     </message>
     <message>
         <source>Trace the residual</source>
@@ -7266,10 +7286,6 @@ diesem Schritt …</translation>
         <translation>Nein: Nichts wird gemessen, und die Messung endet. Ja: In der Aufzeichnung steht, dass so geantwortet wurde.</translation>
     </message>
     <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen. In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
-    </message>
-    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Klicken oder die Taste einen Moment halten. Die Eingabetaste tut hier nichts.</translation>
     </message>
@@ -7280,6 +7296,18 @@ diesem Schritt …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Ein Scan antwortet von selbst; Getipptes sendet die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first.</source>
+        <translation>Ja: Es geht weiter, wie er steht. Nein: Zuerst neu einbauen.</translation>
+    </message>
+    <message>
+        <source>No turn was finished: either way it begins with the first step again.</source>
+        <translation>Keine Drehung ist fertig: In beiden Fällen beginnt es wieder mit dem ersten Schritt.</translation>
+    </message>
+    <message>
+        <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation>In beiden Fällen bleiben fertige Drehungen mit ihren Haken, wie sie sind: Jeder Einbau hat im Fit seine eigene Phase. Zuerst werden Null, Achsen und Zeiten noch einmal gemessen, um zu sehen, ob sich etwas bewegt hat oder gedriftet ist; dann nur, was fehlt.</translation>
     </message>
     <message>
         <source>None</source>
@@ -7555,7 +7583,7 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>To be measured: {0}; the marks at the left and Next are of it.</source>
-        <translation>Zu messen: {0}; die Zeichen links und Weiter gelten ihm.</translation>
+        <translation>Zu messen: {0}; die Zeichen links und „Nächstes“ gelten ihm.</translation>
     </message>
     <message>
         <source>Which DUT is to be measured is not said yet.</source>
@@ -7575,11 +7603,11 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>The marks at the left and Next are of no run yet.</source>
-        <translation>Die Zeichen links und Weiter gelten noch keiner Messung.</translation>
+        <translation>Die Zeichen links und „Nächstes“ gelten noch keiner Messung.</translation>
     </message>
     <message>
         <source>The marks at the left and Next are of another run: {0}.</source>
-        <translation>Die Zeichen links und Weiter gelten einer anderen Messung: {0}.</translation>
+        <translation>Die Zeichen links und „Nächstes“ gelten einer anderen Messung: {0}.</translation>
     </message>
     <message>
         <source>Back to that run</source>
@@ -8024,8 +8052,8 @@ diesem Schritt …</translation>
         <translation>{0} ist vorbei: Der letzte Tag der Gültigkeit ist heute oder später</translation>
     </message>
     <message>
-        <source>“{0}” is no day: 2027-11-21, or {1}</source>
-        <translation>„{0}“ ist kein Tag: 2027-11-21 oder {1}</translation>
+        <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
+        <translation>„{0}“ ist kein Tag; schreiben Sie ihn wie 2027-11-21 oder {1}</translation>
     </message>
 </context>
 <context>
@@ -9257,8 +9285,8 @@ diesem Schritt …</translation>
         <translation>mit angegebenen Fehlern; Rauschen allein {0} nT</translation>
     </message>
     <message>
-        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
-        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}</translation>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
+        <translation>vorher → nachher: zurückgehaltene rms des Vektors, mit den Fehlern darin, die die Messung von Referenz und Einbau angibt; Rauschen allein, einer solchen Zeile: {0} nT, {1}; die Zahl auf der Seite Fit gilt nur |b|, ohne Richtung</translation>
     </message>
     <message>
         <source>explains nothing beyond what is named already</source>
@@ -9314,15 +9342,15 @@ diesem Schritt …</translation>
     </message>
     <message>
         <source>Fit, Loop, Certificate: Next leads there.</source>
-        <translation>Fit, Ursachen, Zertifikat: Weiter führt dorthin.</translation>
+        <translation>Fit, Ursachen, Zertifikat: „Nächstes“ führt dorthin.</translation>
     </message>
     <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
-        <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. Weiter führt fort.</translation>
+        <translation>Aus dieser Prozedur entsteht keine Kalibrierung eines Prüflings. „Nächstes“ führt fort.</translation>
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
-        <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder anpassen und sehen.</translation>
+        <translation>Innerhalb U an der Grenze: diesen Teil neu messen, oder fitten und sehen.</translation>
     </message>
     <message>
         <source>Look at what was measured, mend the cause, and measure again.</source>
@@ -9565,6 +9593,10 @@ diesem Schritt …</translation>
         <translation>▲ Die Abbildung allein genügt nicht: {0} nT von |b| bleiben übrig, sein Rauschen ist {1} nT.</translation>
     </message>
     <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
+        <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene. Die Zahl auf der Seite Loop gilt dem ganzen Vektor in solchen Zeilen, auch seiner Richtung.</translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
         <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
     </message>
@@ -9575,10 +9607,6 @@ diesem Schritt …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Den Rest erklären.</translation>
-    </message>
-    <message>
-        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
-        <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9701,8 +9729,12 @@ diesem Schritt …</translation>
         <translation>▲ {0} Unterbrechungen: {1}. Noch einmal gemessen: {2}.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>nichts</translation>
+        <source>▲ One interruption: {0}.</source>
+        <translation>▲ Eine Unterbrechung: {0}.</translation>
+    </message>
+    <message>
+        <source>▲ {0} interruptions: {1}.</source>
+        <translation>▲ {0} Unterbrechungen: {1}.</translation>
     </message>
     <message>
         <source>at {0}, for {1}</source>
@@ -9921,20 +9953,20 @@ diesem Schritt …</translation>
         <translation>Prüfen</translation>
     </message>
     <message>
-        <source>Next: a key (1)</source>
-        <translation>Weiter: ein Schlüssel (1)</translation>
+        <source>Make a key (1)</source>
+        <translation>Einen Schlüssel anlegen (1)</translation>
     </message>
     <message>
-        <source>Next: approve (2)</source>
-        <translation>Weiter: genehmigen (2)</translation>
+        <source>Approve (2)</source>
+        <translation>Genehmigen (2)</translation>
     </message>
     <message>
-        <source>Next: sign (3)</source>
-        <translation>Weiter: signieren (3)</translation>
+        <source>Sign (3)</source>
+        <translation>Signieren (3)</translation>
     </message>
     <message>
-        <source>Next: hand it out (4)</source>
-        <translation>Weiter: ausgeben (4)</translation>
+        <source>Hand it out (4)</source>
+        <translation>Ausgeben (4)</translation>
     </message>
     <message>
         <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
@@ -9981,8 +10013,12 @@ diesem Schritt …</translation>
         <translation>noch etwa {0} s, gesagt um {1}</translation>
     </message>
     <message>
+        <source>about {0} s more, longer than was said before; said at {1}</source>
+        <translation>noch etwa {0} s, länger als vorher gesagt; gesagt um {1}</translation>
+    </message>
+    <message>
         <source>Next: {0}</source>
-        <translation>Weiter: {0}</translation>
+        <translation>Nächstes: {0}</translation>
     </message>
     <message>
         <source>cannot be shown</source>
@@ -10087,6 +10123,62 @@ diesem Schritt …</translation>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
         <translation>Eine andere Person genehmigt, Sie signieren, und die Datei wird ausgegeben.</translation>
+    </message>
+    <message>
+        <source>Kept: {0}.</source>
+        <translation>Bleibt: {0}.</translation>
+    </message>
+    <message>
+        <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
+        <translation>Verloren: {0}; er kommt aus Drehungen hin und zurück ohne Unterbrechung, und davon sind zu wenige noch zu messen. So bekommt man ihn: sync-check oder ein neuer Preflight.</translation>
+    </message>
+    <message>
+        <source>✓ done for this DUT</source>
+        <translation>✓ für diesen Prüfling erledigt</translation>
+    </message>
+    <message>
+        <source>● it goes on now</source>
+        <translation>● es läuft jetzt</translation>
+    </message>
+    <message>
+        <source>▲ done, and something of it is open: the page says what</source>
+        <translation>▲ erledigt, und etwas davon ist offen: Die Seite sagt, was</translation>
+    </message>
+    <message>
+        <source>✕ it failed: the page says why</source>
+        <translation>✕ es ist gescheitert: Die Seite sagt, warum</translation>
+    </message>
+    <message>
+        <source>○ still to be done for this DUT</source>
+        <translation>○ für diesen Prüfling noch zu tun</translation>
+    </message>
+    <message>
+        <source>✓ every instrument answered within the last {0} s</source>
+        <translation>✓ jedes Gerät hat in den letzten {0} s geantwortet</translation>
+    </message>
+    <message>
+        <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
+        <translation>● keine Antwort in den letzten {0} s, denn niemand hat gefragt: {1}. Von selbst werden sie ab und zu gefragt.</translation>
+    </message>
+    <message>
+        <source>✕ no answer: {1}</source>
+        <translation>✕ keine Antwort: {1}</translation>
+    </message>
+    <message>
+        <source>○ no instrument answered within the last {0} s; Read all asks them</source>
+        <translation>○ kein Gerät hat in den letzten {0} s geantwortet; Alle lesen fragt sie</translation>
+    </message>
+    <message>
+        <source>✓ a run that this DUT can be calibrated by is finished</source>
+        <translation>✓ eine Messung, mit der dieser Prüfling kalibriert werden kann, ist fertig</translation>
+    </message>
+    <message>
+        <source>▲ the last run that was to calibrate this DUT did not come to its end</source>
+        <translation>▲ die letzte Messung, die diesen Prüfling kalibrieren sollte, kam nicht zu ihrem Ende</translation>
+    </message>
+    <message>
+        <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
+        <translation>○ noch keine Messung, mit der dieser Prüfling kalibriert werden kann: Ein Preflight ist eine, eine Drehung um eine Achse keine</translation>
     </message>
 </context>
 <context>

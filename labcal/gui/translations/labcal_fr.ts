@@ -494,6 +494,14 @@
         <translation>Réglages</translation>
     </message>
     <message>
+        <source>Usual settings</source>
+        <translation>Réglages habituels</translation>
+    </message>
+    <message>
+        <source>Every setting as it was before anybody typed</source>
+        <translation>Chaque réglage comme il était avant toute saisie</translation>
+    </message>
+    <message>
         <source>The plan</source>
         <translation>Le plan</translation>
     </message>
@@ -3859,10 +3867,6 @@
         <translation>ajustement par {0}</translation>
     </message>
     <message>
-        <source>so far {0}, not proven yet: {1} to {2} times the noise in the rows searched</source>
-        <translation>jusqu’ici {0}, pas encore prouvé : de {1} à {2} fois le bruit dans les lignes examinées</translation>
-    </message>
-    <message>
         <source>{0} do as well as each other on this run, and nothing that this lab&apos;s procedures do would separate them by {1} standard deviations</source>
         <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure, et rien de ce que font les procédures de ce laboratoire ne les séparerait de {1} écarts-types</translation>
     </message>
@@ -4281,6 +4285,10 @@
     <message>
         <source>so far nothing has the evidence of a name</source>
         <translation>jusqu&apos;ici rien n&apos;a l&apos;évidence d&apos;un nom</translation>
+    </message>
+    <message>
+        <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
+        <translation>une cause est en vue, pas encore prouvée : ce qui reste passe de {0} à {1} fois le bruit ({2})</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
@@ -6854,8 +6862,20 @@ cette étape …</translation>
         <translation>Ville</translation>
     </message>
     <message>
-        <source>Country, as DE</source>
-        <translation>Pays, comme DE</translation>
+        <source>Country, as DE or Germany</source>
+        <translation>Pays, par exemple FR ou France</translation>
+    </message>
+    <message>
+        <source>A country is two letters, as DE, or its name.</source>
+        <translation>Un pays s’écrit en deux lettres, comme FR, ou par son nom.</translation>
+    </message>
+    <message>
+        <source>Keep waits for: {0}.</source>
+        <translation>Garder attend : {0}.</translation>
+    </message>
+    <message>
+        <source>Being kept …</source>
+        <translation>Est gardé …</translation>
     </message>
     <message>
         <source>Laboratory: {0}</source>
@@ -7266,10 +7286,6 @@ cette étape …</translation>
         <translation>Non : rien n’est mesuré, et la mesure prend fin. Oui : l’enregistrement dit que vous avez répondu ainsi.</translation>
     </message>
     <message>
-        <source>Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord. Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
-    </message>
-    <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
         <translation>Cliquez, ou tenez la touche un instant. Entrée ne fait rien ici.</translation>
     </message>
@@ -7280,6 +7296,18 @@ cette étape …</translation>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
         <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
+    </message>
+    <message>
+        <source>Yes: it goes on as it stands. No: mount it again first.</source>
+        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord.</translation>
+    </message>
+    <message>
+        <source>No turn was finished: either way it begins with the first step again.</source>
+        <translation>Aucune rotation n’est terminée : dans les deux cas on recommence à la première étape.</translation>
+    </message>
+    <message>
+        <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
+        <translation>Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
     </message>
     <message>
         <source>None</source>
@@ -8024,8 +8052,8 @@ cette étape …</translation>
         <translation>{0} est passé : le dernier jour de validité est aujourd’hui ou plus tard</translation>
     </message>
     <message>
-        <source>“{0}” is no day: 2027-11-21, or {1}</source>
-        <translation>« {0} » n’est pas un jour : 2027-11-21, ou {1}</translation>
+        <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
+        <translation>« {0} » n’est pas un jour ; écrivez-le comme 2027-11-21 ou {1}</translation>
     </message>
 </context>
 <context>
@@ -9257,8 +9285,8 @@ cette étape …</translation>
         <translation>avec les erreurs déclarées ; bruit seul {0} nT</translation>
     </message>
     <message>
-        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}</source>
-        <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1}</translation>
+        <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
+        <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1} ; le chiffre de la page Fit porte sur |b| seul, sans la direction</translation>
     </message>
     <message>
         <source>explains nothing beyond what is named already</source>
@@ -9565,6 +9593,10 @@ cette étape …</translation>
         <translation>▲ La transformation seule ne suffit pas : il reste {0} nT de |b|, son bruit est de {1} nT.</translation>
     </message>
     <message>
+        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
+        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture. Le chiffre de la page Loop porte sur tout le vecteur de ces lignes, direction comprise.</translation>
+    </message>
+    <message>
         <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
         <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
     </message>
@@ -9575,10 +9607,6 @@ cette étape …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Expliquer le résidu.</translation>
-    </message>
-    <message>
-        <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.</source>
-        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9701,8 +9729,12 @@ cette étape …</translation>
         <translation>▲ {0} interruptions : {1}. Mesuré de nouveau : {2}.</translation>
     </message>
     <message>
-        <source>nothing</source>
-        <translation>rien</translation>
+        <source>▲ One interruption: {0}.</source>
+        <translation>▲ Une interruption : {0}.</translation>
+    </message>
+    <message>
+        <source>▲ {0} interruptions: {1}.</source>
+        <translation>▲ {0} interruptions : {1}.</translation>
     </message>
     <message>
         <source>at {0}, for {1}</source>
@@ -9921,20 +9953,20 @@ cette étape …</translation>
         <translation>Vérifier</translation>
     </message>
     <message>
-        <source>Next: a key (1)</source>
-        <translation>Suite : une clé (1)</translation>
+        <source>Make a key (1)</source>
+        <translation>Créer une clé (1)</translation>
     </message>
     <message>
-        <source>Next: approve (2)</source>
-        <translation>Suite : approuver (2)</translation>
+        <source>Approve (2)</source>
+        <translation>Approuver (2)</translation>
     </message>
     <message>
-        <source>Next: sign (3)</source>
-        <translation>Suite : signer (3)</translation>
+        <source>Sign (3)</source>
+        <translation>Signer (3)</translation>
     </message>
     <message>
-        <source>Next: hand it out (4)</source>
-        <translation>Suite : remettre (4)</translation>
+        <source>Hand it out (4)</source>
+        <translation>Remettre (4)</translation>
     </message>
     <message>
         <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
@@ -9979,6 +10011,10 @@ cette étape …</translation>
     <message>
         <source>about {0} s more, said at {1}</source>
         <translation>encore {0} s environ, dit à {1}</translation>
+    </message>
+    <message>
+        <source>about {0} s more, longer than was said before; said at {1}</source>
+        <translation>encore environ {0} s, plus que ce qui avait été dit ; dit à {1}</translation>
     </message>
     <message>
         <source>Next: {0}</source>
@@ -10087,6 +10123,62 @@ cette étape …</translation>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
         <translation>Une autre personne approuve, vous signez, et le fichier est remis.</translation>
+    </message>
+    <message>
+        <source>Kept: {0}.</source>
+        <translation>Conservé : {0}.</translation>
+    </message>
+    <message>
+        <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
+        <translation>Perdu : {0}, qui vient de rotations aller et retour sans interruption, et il en reste trop peu à mesurer. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
+    </message>
+    <message>
+        <source>✓ done for this DUT</source>
+        <translation>✓ fait pour ce DUT</translation>
+    </message>
+    <message>
+        <source>● it goes on now</source>
+        <translation>● c’est en cours</translation>
+    </message>
+    <message>
+        <source>▲ done, and something of it is open: the page says what</source>
+        <translation>▲ fait, et un point reste ouvert : la page dit lequel</translation>
+    </message>
+    <message>
+        <source>✕ it failed: the page says why</source>
+        <translation>✕ cela a échoué : la page dit pourquoi</translation>
+    </message>
+    <message>
+        <source>○ still to be done for this DUT</source>
+        <translation>○ encore à faire pour ce DUT</translation>
+    </message>
+    <message>
+        <source>✓ every instrument answered within the last {0} s</source>
+        <translation>✓ chaque instrument a répondu dans les {0} dernières s</translation>
+    </message>
+    <message>
+        <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
+        <translation>● pas de réponse dans les {0} dernières s, car personne n’a demandé : {1}. D’eux-mêmes ils sont interrogés de temps en temps.</translation>
+    </message>
+    <message>
+        <source>✕ no answer: {1}</source>
+        <translation>✕ pas de réponse : {1}</translation>
+    </message>
+    <message>
+        <source>○ no instrument answered within the last {0} s; Read all asks them</source>
+        <translation>○ aucun instrument n’a répondu dans les {0} dernières s ; Tout lire les interroge</translation>
+    </message>
+    <message>
+        <source>✓ a run that this DUT can be calibrated by is finished</source>
+        <translation>✓ une mesure qui permet d’étalonner ce DUT est terminée</translation>
+    </message>
+    <message>
+        <source>▲ the last run that was to calibrate this DUT did not come to its end</source>
+        <translation>▲ la dernière mesure qui devait étalonner ce DUT n’est pas allée à son terme</translation>
+    </message>
+    <message>
+        <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
+        <translation>○ pas encore de mesure qui permette d’étalonner ce DUT : un preflight en est une, une rotation sur un axe n’en est pas une</translation>
     </message>
 </context>
 <context>

@@ -270,7 +270,9 @@ PROGRESS = (
     QT_TRANSLATE_NOOP("Data", "this run takes about {0} s more and may be stopped"),
     QT_TRANSLATE_NOOP("Data", "holding out blocks of time"),
     QT_TRANSLATE_NOOP("Data", "so far nothing has the evidence of a name"),
-    QT_TRANSLATE_NOOP("Data", "so far {0}, not proven yet: {1} to {2} times the noise in the rows searched"),
+    QT_TRANSLATE_NOOP(
+        "Data", "a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})"
+    ),
     QT_TRANSLATE_NOOP("Data", "stopped while {0}; {1}"),
     QT_TRANSLATE_NOOP("Data", "nothing is known yet"),
 )

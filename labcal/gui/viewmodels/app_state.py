@@ -26,6 +26,7 @@ from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import BenchFile, in_words
 from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
+from labcal.gui.viewmodels.bench_of_run import links_of, stands_on
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
@@ -33,6 +34,7 @@ from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import OFF, as_watched, reference_U
 from labcal.gui.viewmodels.lab_there import lab_there, platform_there
 from labcal.gui.viewmodels.lab_watch import LabWatch
+from labcal.gui.viewmodels.last_readings import LastReadings
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
 from labcal.gui.viewmodels.login import LoginViewModel
 from labcal.gui.viewmodels.named_serials import NamedSerials
@@ -128,13 +130,13 @@ class AppState(QObject):
         """Take what the file at `path` says."""
         if path != self.bench:
             self.forget()
+        elif self.facts is not None and links_of(facts) != self.run.links:
+            self._forget_readings()
         self.lab.update(message="", opening=False)
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
         BenchFile.name = Path(path).name
-        self.run.nominal_nT_per_unit = facts.dut.nominal_nT_per_unit
-        self.run.virtual_time = facts.virtual_time
-        self.run.links = {name: one.link for name, one in facts.instruments.items()}
+        stands_on(self.run, facts)
         self.lab.update(bench=facts.name, simulated=facts.simulated)
         self.propose_dut()
         self.grow_old()
@@ -163,12 +165,16 @@ class AppState(QObject):
 
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
-        self._taken = None
+        self._forget_readings()
         self.off.forget()
         self.left.forget()
-        self.kept, self.one_dut.proposed = KnownLab(), False
+        self.one_dut.proposed = False
         self.named_serials.forget()
         self._said_no_more.back.forget()
+
+    def _forget_readings(self) -> None:
+        """They came over the links of one bench; the lab of the run that ended there is not taken once more."""
+        self._taken, self.kept, self.run.last = self.run.lab, KnownLab(), LastReadings()
 
     def take_identified(self, said: Identified) -> None:
         """Who answered, and who did not."""
@@ -268,9 +274,7 @@ class AppState(QObject):
             return said
         if not state.dut_serial:
             return self.tr("Scan or type the DUT's serial at the top.")
-        if said := self.serial_objection(state.dut_serial):
-            return said
-        if said := self.login.objection():
+        if said := self.serial_objection(state.dut_serial) or self.login.objection():
             return said
         if not state.operator:
             return self.tr("Type the operator's name at the top.")
@@ -375,8 +379,7 @@ class AppState(QObject):
 
     def _update_run(self) -> None:
         """What the run knows, for the frame."""
-        run = self.run
-        if run.state == "idle":
+        if (run := self.run).state == "idle":
             return
         if run.lab is not None and run.lab is not self._taken:
             self._taken, self.kept.asked = run.lab, False

@@ -50,7 +50,8 @@ GOOD = QT_TRANSLATE_NOOP(
 DOUBT = QT_TRANSLATE_NOOP("Words", "▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.")
 OF_WHICH = QT_TRANSLATE_NOOP(
     "Words",
-    "What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading.",
+    "What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. "
+    "The figure on the Loop page is of the whole vector in such rows, its direction too.",
 )
 TRACE = QT_TRANSLATE_NOOP("Words", "Trace the residual.")
 TRACED = QT_TRANSLATE_NOOP("Words", "The residual was traced: {0}. The Loop page says what was found.")

@@ -42,7 +42,8 @@ OF_WHICH = QT_TRANSLATE_NOOP("Words", "with declared errors; noise alone {0} nT"
 OF_WHICH_WHOLE = QT_TRANSLATE_NOOP(
     "Words",
     "before → after: held-out rms of the vector, with the errors in it that the run declares of reference and "
-    "mounting; noise alone, of one such row: {0} nT, {1}",
+    "mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without "
+    "direction",
 )
 AS_MUCH = QT_TRANSLATE_NOOP("Words", "explains nothing beyond what is named already")
 TOO_LITTLE = QT_TRANSLATE_NOOP("Words", "explains too little to be worth its parameters")

@@ -10,9 +10,11 @@ from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
 from labcal.gui.translations.sentences import in_words
+from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import WATCHED_S, mark_of
+from labcal.gui.viewmodels.lab_now import mark_of
+from labcal.gui.viewmodels.mark_words import just_read
 from labcal.gui.viewmodels.may_answer import may_answer, wanted
 from labcal.gui.viewmodels.procedure_groups import CALIBRATES
 from labcal.gui.viewmodels.resumed import to_be_resumed
@@ -77,6 +79,7 @@ class PathViewModel(QObject):
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with, once these are known
         self.listed = False  # whether the store has been read
         self.files: tuple[CalibrationFile, ...] = ()
+        self._steps: dict[str, str] = {}  # by run: the step that the Certificate page says is next of its draft
         self.refused = ""  # of the form on the Run page, where it is that of the preflight
         self.begins = ""  # the procedure that Begin there begins, whichever it is
         for source in (lab.changed, run.changed, study.changed):
@@ -96,6 +99,12 @@ class PathViewModel(QObject):
         """This file has left the lab."""
         self.handed_out.add(one)
         self.changed.emit()
+
+    def take_step(self, run_id: str, step: str) -> None:
+        """What the cards of this run's calibration say is to be done now; Next says it in the same words."""
+        if self._steps.get(run_id, "") != step:
+            self._steps[run_id] = step
+            self.changed.emit()
 
     def close(self, run_id: str) -> None:
         """The next DUT comes: this run's is done with."""
@@ -245,7 +254,9 @@ class PathViewModel(QObject):
         file = self._file(last)
         if file is None or not file.standing.signatures:
             unseen = file is not None and not file.approvers
-            return Next("Certificate", self.tr("Approve and sign") if unseen else self.tr("Sign"), of=last.run_id)
+            words = self.tr("Approve and sign") if unseen else self.tr("Sign")
+            words = translated(self._steps.get(last.run_id, "")) or words
+            return Next("Certificate", words, of=last.run_id)
         standing = file.standing
         if not standing.valid:
             return Next("Fit", self.tr("Make a new draft"), last.run_id)
@@ -263,9 +274,7 @@ class PathViewModel(QObject):
         now = self._lab.state.now
         if any(light == "fault" for _, light, _ in now.lights):
             return "broken"
-        ages = dict(now.heard_old_s)  # of contacts, which nobody asks, that of the coils
-        read = [one == "ok" or (one == "old" and (ages.get(name, now.coil_old_s) or 0) <= WATCHED_S)
-                for name, one, _ in now.lights]  # fmt: skip
+        read = just_read(now).values()
         return "done" if read and all(read) else "now" if any(read) else "open"
 
     def _of_the_run(self, last: RunLine | None) -> Mark:

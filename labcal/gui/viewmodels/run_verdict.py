@@ -10,6 +10,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.axis_checks import WORST
+from labcal.gui.viewmodels.delays_left import delay_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.viewmodels.procedure_groups import calibrates
 from labcal.gui.viewmodels.run import RunViewModel
@@ -117,7 +118,8 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
             run.step is None and word == "failed" and not run.goes_on
         ):  # below a serial in large letters it would be a verdict on that DUT
             said, rule = translated(str(TEXTS[NOTHING])), translated(str(TEXTS[NOTHING_OF]))
-        return RunVerdict(f"{shape} {said}", state, rule, _next(what))
+        timing = delay_words(run) if what in ("interrupted", "lost") else ""
+        return RunVerdict(f"{shape} {said}", state, rule, f"{_next(what)} {timing}".strip())
     worst = max((m.verdict for m in run.measurements.values()), key=WORST.index, default="")
     missing = run.left_out()
     word, state = result_word(worst, missing)

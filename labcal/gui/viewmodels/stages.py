@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
@@ -17,10 +19,10 @@ STAGES = (
 )
 SIGNED, RELEASED = 1, 2
 TO_BE_DONE = (
-    QT_TRANSLATE_NOOP("Words", "Next: a key (1)"),
-    QT_TRANSLATE_NOOP("Words", "Next: approve (2)"),
-    QT_TRANSLATE_NOOP("Words", "Next: sign (3)"),
-    QT_TRANSLATE_NOOP("Words", "Next: hand it out (4)"),
+    QT_TRANSLATE_NOOP("Words", "Make a key (1)"),
+    QT_TRANSLATE_NOOP("Words", "Approve (2)"),
+    QT_TRANSLATE_NOOP("Words", "Sign (3)"),
+    QT_TRANSLATE_NOOP("Words", "Hand it out (4)"),
 )
 
 
@@ -50,6 +52,6 @@ def _shape(there: bool, now: bool) -> str:
     return "✓" if there else "●" if now else "○"
 
 
-def to_be_done(marks: tuple[str, ...]) -> str:
-    """The one thing to do now, by the marks of the four steps; "" where there is none."""
-    return next((translated(str(words)) for words, mark in zip(TO_BE_DONE, marks, strict=True) if mark == "now"), "")
+def to_be_done(marks: Sequence[str]) -> str:
+    """The one thing to do now, by the marks of the four steps, to be translated; "" where there is none."""
+    return next((str(words) for words, mark in zip(TO_BE_DONE, marks, strict=True) if mark == "now"), "")

@@ -15,7 +15,8 @@ from labcal.record.told import Interruption, Told
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ One interruption: {0}. Measured again: {1}."),
     QT_TRANSLATE_NOOP("Words", "▲ {0} interruptions: {1}. Measured again: {2}."),
-    QT_TRANSLATE_NOOP("Words", "nothing"),
+    QT_TRANSLATE_NOOP("Words", "▲ One interruption: {0}."),
+    QT_TRANSLATE_NOOP("Words", "▲ {0} interruptions: {1}."),
     QT_TRANSLATE_NOOP("Words", "at {0}, for {1}"),
     QT_TRANSLATE_NOOP("Words", "before its first step, for {0}"),
     QT_TRANSLATE_NOOP("Words", "at {0}"),
@@ -31,21 +32,24 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Open in the run itself: {0}. An approval takes that as it is."),
     QT_TRANSLATE_NOOP("Words", "{0} not measured"),
 )
-ONCE, OFTEN, NOTHING, AT, BEFORE, AT_ALONE, BEFORE_ALONE, UNKNOWN, SECONDS, MINUTES, HOURS, *_NOTES = map(str, TEXTS)
+ONCE, OFTEN, ONCE_ALONE, OFTEN_ALONE, AT, BEFORE, AT_ALONE, BEFORE_ALONE, *_LENGTHS = map(str, TEXTS[:12])
+UNKNOWN, SECONDS, MINUTES, HOURS = _LENGTHS
+_NOTES = map(str, TEXTS[12:])
 NOTED, NOTED_HERE, REMARKED, ESTIMATED, OPEN, MISSING = _NOTES
 SO_FAR = "offsets so far"  # as a running estimate begins: it has no part in a verdict
 
 
 def interrupted_words(told: Told) -> str:
-    """How often, where, for how long, and what was measured again; "" where nothing was interrupted."""
+    """How often, where, for how long, and what was measured again so far; "" where nothing was interrupted."""
     if not told.interruptions:
         return ""
     places = Counter(map(_one, told.interruptions))
     where = "; ".join(place if often == 1 else f"{place} ({often}×)" for place, often in places.items())
     names = dict.fromkeys(step_title(name) for one in told.interruptions for name in one.again)
-    again = ", ".join(names) or translated(NOTHING)
-    often = len(told.interruptions)
-    return translated(ONCE).format(where, again) if often == 1 else translated(OFTEN).format(often, where, again)
+    again, often = ", ".join(names), len(told.interruptions)
+    if often == 1:
+        return translated(ONCE if again else ONCE_ALONE).format(where, again)
+    return translated(OFTEN if again else OFTEN_ALONE).format(often, where, again)
 
 
 def noted_words(told: Told, *, here: bool = False) -> str:

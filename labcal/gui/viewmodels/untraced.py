@@ -34,3 +34,8 @@ def comes_first(path: PathViewModel, one: CalibrationFile) -> str:
     to = path.next()
     before = to.about == one.run_id and to.page in ("Fit", "Loop")
     return translated(str(NEXT_IS)).format(to.words) if before else ""
+
+
+def next_is(step: str) -> str:
+    """That this step is next; "" where none is."""
+    return translated(str(NEXT_IS)).format(translated(step)) if step else ""

@@ -318,34 +318,6 @@ class OneLine(QLabel):
                 painter.drawText(dots, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, "…")
 
 
-class TwoLines(OneLine):
-    """As `OneLine`; where its place is high enough it goes on in a second line first."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setWordWrap(True)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-
-    def minimumSizeHint(self) -> QSize:
-        """One line's: what stands beside it says how high its place is."""
-        return QSize(1, self.fontMetrics().lineSpacing())
-
-    def sizeHint(self) -> QSize:
-        """Likewise."""
-        return self.minimumSizeHint()
-
-    def hasHeightForWidth(self) -> bool:
-        """No: a longer text makes its place no higher."""
-        return False
-
-    def is_cut(self) -> bool:
-        """Whether the place is not high enough for all its lines."""
-        place = self.contentsRect()
-        room = QRect(0, 0, max(1, place.width()), 10_000)
-        needed = self.fontMetrics().boundingRect(room, int(Qt.TextFlag.TextWordWrap), self.text())
-        return needed.height() > place.height() + 2 or needed.width() > place.width()
-
-
 class AutoSizeLabel(QLabel):
     """A text as large as its place allows, which has nothing to say about how large that is."""
 

@@ -50,7 +50,9 @@ class ComparisonView(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(2 * GRID)
         column.addWidget(self._figures(), 2)
-        column.addWidget(self._picture(), 3)
+        self.picture = self._picture()
+        self.picture.hide()
+        column.addWidget(self.picture, 3)
 
     def set_theme(self, theme: Theme) -> None:
         """Table and picture in the theme's colours."""
@@ -136,6 +138,7 @@ class ComparisonView(QWidget):
 
     def _draw(self) -> None:
         found = self._shown
+        self.picture.setVisible(found is not None)  # axes of nothing, from 0 to 1, say nothing
         self._show_rows(found)
         self.faces.setCurrentIndex(self.view.currentIndex())
         self.against.setVisible(self.view.currentIndex() == 0)

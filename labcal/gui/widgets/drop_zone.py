@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from labcal.files.home import home
 from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.common import Card, button, flat, label, set_state
 
 
 class Drop(QWidget):
@@ -29,7 +29,7 @@ class Drop(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(GRID)
         self.name, self.words = label("", "ask", wrap=True), label("", wrap=True)
-        self.card = Card()
+        self.card = flat(Card())  # else its lines stand far apart where there is nothing below it
         for said in (self.name, self.words):
             self.card.body.addWidget(said)
         self.close_card = button(self.tr("Close"), self.tr("The chosen calibration alone again"))

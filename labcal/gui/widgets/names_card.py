@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLineEdit
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
+from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.countries import country_code
@@ -64,7 +65,7 @@ class NamesCard(Card):
     def _row(self, row: int, who: str, tip: str) -> Fields:
         fields = QLineEdit(), QLineEdit(), QLineEdit()
         for column, (field, what) in enumerate(
-            zip(fields, (who, self.tr("City"), self.tr("Country, as DE")), strict=True)
+            zip(fields, (who, self.tr("City"), self.tr("Country, as DE or Germany")), strict=True)
         ):
             field.setPlaceholderText(what)
             field.setToolTip(f"{who}: {what}" if column else tip)
@@ -92,7 +93,11 @@ class NamesCard(Card):
                 self._show()
                 self._heard()
 
-        self._app_state.quick_worker.request(asked, known, self._fault.show_fault)
+        def failed(fault: Fault) -> None:
+            self._check()  # it may be tried again
+            self._fault.show_fault(fault)
+
+        self._app_state.quick_worker.request(asked, known, failed)
 
     def _show(self) -> None:
         one, said = self._one, self.named
@@ -137,14 +142,28 @@ class NamesCard(Card):
         self.keep.setEnabled(bool(begun) and all(_typed(row) is not None for row in begun))
         typed = [row[-1].text().strip() for row in begun]
         wrong = next((country for country in typed if len(country) > 1 and not country_code(country)), "")
-        self.wrong.setText(self.tr("✕ “{0}” is no country: two letters, as DE, or its name.").format(wrong))
-        self.wrong.setVisible(bool(wrong))
+        no_country = self.tr("✕ “{0}” is no country: two letters, as DE, or its name.").format(wrong)
+        self._say(no_country if wrong else self._waits_for(begun), "bad" if wrong else "muted")
+
+    def _say(self, words: str, state: str) -> None:
+        """Why Keep is grey."""
+        self.wrong.setText(words)
+        set_state(self.wrong, state)
+        self.wrong.setVisible(bool(words))
+
+    def _waits_for(self, begun: list[Fields]) -> str:
+        """What is still to be typed before these can be kept; "" where nothing is."""
+        empty = [field.accessibleName() for row in begun for field in row if not field.text().strip()]
+        if not empty and not all(_typed(row) for row in begun):
+            return self.tr("A country is two letters, as DE, or its name.")
+        return self.tr("Keep waits for: {0}.").format(", ".join(empty)) if empty else ""
 
     def _keep(self) -> None:
         if self._one is not None:
             self._fault.show_fault(None)
             self._ask(StateNames(self._one.path, _typed(self.laboratory), _typed(self.customer)))
             self.keep.setEnabled(False)
+            self._say(self.tr("Being kept …"), "muted")
 
 
 def _typed(fields: Fields) -> Party | None:

@@ -201,6 +201,15 @@ class ParameterForm(QWidget):
             if spec.name in settings:
                 self.set_text(spec.name, _as_typed(spec, settings[spec.name]))
 
+    def is_usual(self) -> bool:
+        """Whether every field is as it was at first."""
+        return all(self.text(spec.name) == self._default(spec) for spec in self._specs)
+
+    def make_usual(self) -> None:
+        """Every field as it was at first."""
+        for spec in self._specs:
+            self.set_text(spec.name, self._default(spec))
+
     def stated(self, spec: ParameterSpec) -> str:
         """What stands in a field, as `--set` takes it: with a point. Raises NotClear."""
         text = self.text(spec.name)

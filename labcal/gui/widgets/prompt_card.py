@@ -58,6 +58,7 @@ class PromptCard(UncutCard):
         super().__init__()
         self.setAccessibleName(self.tr("Question to you"))
         self._prompt: Prompt | None = None
+        self._keeps_a_turn, self._delays = False, ""  # of before an interruption
         self._reached_into = False  # what is asked brings hands to the lab
         self._lost = self._mended = False  # somebody, since it was asked; who was is heard again
         self._first = ""  # what comes before a plug
@@ -329,12 +330,21 @@ class PromptCard(UncutCard):
             self.tr("A scan answers by itself; what is typed is sent by Enter.") if SERIAL in prompt.drawing else by_key
         )
 
+    def say_kept(self, *, turn: bool, delays: str) -> None:
+        """Before a question is shown: whether a turn is kept of before an interruption, and what of the delays."""
+        self._keeps_a_turn, self._delays = turn, delays
+
     def _what_no_means(self) -> str:
-        return self.tr(
-            "Yes: it goes on as it stands. No: mount it again first. Either way turns that were finished stay as they "
-            "are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the "
-            "timing are measured again, to see whether anything moved or drifted; then only what is missing."
+        either = self.tr("Yes: it goes on as it stands. No: mount it again first.")
+        if not self._keeps_a_turn:
+            anew = self.tr("No turn was finished: either way it begins with the first step again.")
+            return f"{either} {anew}"
+        kept = self.tr(
+            "Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its "
+            "own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved "
+            "or drifted; then only what is missing."
         )
+        return f"{either} {kept} {self._delays}".strip()
 
     def _make_senders(self, prompt: Prompt) -> None:
         """What sends the words; where they say that something was moved, by click or held key alone."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QVBoxLayout, QWidget
 
@@ -82,6 +84,7 @@ class RecordWords(QWidget):
             shown.setVisible(bool(words))
         self.remarked.setText(remarked_words(told))
         self.line.setVisible(bool(told.remarks))
-        self.all.setPlainText("\n".join(map(in_words, told.remarks)))
+        often = Counter(map(in_words, told.remarks))  # the same words stand once
+        self.all.setPlainText("\n".join(one if n == 1 else f"{one} ({n}×)" for one, n in often.items()))
         self.fold.setChecked(False)
         self.all.hide()

@@ -50,7 +50,7 @@ class StatedFields(QObject):
         if day is not None:
             return ""
         example = QLocale().toString(QDate(2027, 11, 21), QLocale.FormatType.ShortFormat)
-        words = self.tr("“{0}” is no day: 2027-11-21, or {1}")
+        words = self.tr("“{0}” is no day; write it like 2027-11-21 or {1}")
         return words.format(self.until.text().strip(), example)
 
     def _day(self) -> str | None:
