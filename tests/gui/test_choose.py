@@ -251,11 +251,11 @@ def test_what_would_tell_them_apart_is_begun_with_the_settings_that_tell_and_the
 
 
 def test_settings_that_were_proposed_and_not_begun_are_gone_when_a_dut_is_calibrated(still, choose):
-    still.app_state.open_wanted(Wanted("preflight", settings={"rate_deg_per_s": "1e9"}))
+    still.app_state.open_procedure("preflight", Wanted("preflight", settings={"rate_deg_per_s": "1e9"}))
     assert choose.refused_field() is choose.form.fields["rate_deg_per_s"]  # it says so itself
     still.app_state.open_procedure("preflight")
     assert choose.form.given() == {}
-    still.app_state.open_wanted(Wanted("preflight", settings={"zero_s": "30"}))
+    still.app_state.open_procedure("preflight", Wanted("preflight", settings={"zero_s": "30"}))
     choose.choose("reverse")
     choose.choose("preflight")
     assert choose.form.given() == {}

@@ -191,7 +191,8 @@ class LoopPage(QWidget):
             words = self.tr("This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.")
             return self.fault.show_fault(Fault("input", words.format(mine, there)))
         self._study.want(proposed.procedure)
-        return self._app_state.open_wanted(Wanted(proposed.procedure, plan=True, settings=proposed.settings))
+        wanted = Wanted(proposed.procedure, plan=True, settings=proposed.settings)
+        return self._app_state.open_procedure(wanted.names, wanted)
 
     def set_theme(self, theme: Theme) -> None:
         """States, bars and points in the theme's colours."""

@@ -384,9 +384,8 @@ class Choose(QWidget):
         of_preflight = self._shown == "preflight"
         mended = self.tr("the plan") if self._cannot_be else title_of(refused) if refused is not None else ""
         speaks = of_preflight and (self.isVisible() or self._typed_for == state.dut_serial)
-        named = mended if speaks else ""
         self.usual.setEnabled(self.form is not None and not self.form.is_usual())
-        self._app_state.path.take_form(named, self._shown if ready else "")
+        self._app_state.path.take_form(mended if speaks else "", self._shown if ready else "")
 
     def refused_field(self) -> QWidget | None:
         """Where the first setting that is not accepted is typed."""
@@ -394,9 +393,8 @@ class Choose(QWidget):
         return None if self.form is None or refused is None else self.form.fields[refused.name]
 
     def _start(self) -> None:
-        if self.form is None:
-            return
-        self._app_state.start(self.list.currentItem().text(), self.form.given())
+        if self.form is not None:
+            self._app_state.start(self.list.currentItem().text(), self.form.given())
         if self._is_as_proposed:  # for one run
             self._proposed = Wanted("")
             self._chosen(self._shown)

@@ -197,13 +197,9 @@ class AppState(QObject):
         """The bench, where nobody but this window has to do with it now; "" else."""
         return "" if self.facts is None or self.run.alive or self.kept.ordered_s else self.bench
 
-    def open_procedure(self, names: str) -> None:
-        """Show the form of the first procedure there is of `names`, apart by |."""
-        self.open_wanted(Wanted(names))
-
-    def open_wanted(self, wanted: Wanted) -> None:
-        """Show the form of a procedure, on demand as it is proposed, and with its plan."""
-        self.wanted = wanted
+    def open_procedure(self, names: str, wanted: Wanted | None = None) -> None:
+        """Show the form of the first procedure there is of `names`, apart by |; as it is `wanted`, with its plan."""
+        self.wanted = wanted or Wanted(names)
         self.page_requested.emit("Run")
         self.procedure_requested.emit()
 
