@@ -14,6 +14,7 @@ from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.lab_now import (
     LOOK_S,
     OFF,
+    STOP_UNSEEN,
     WATCHED_S,
     LabNow,
     age_words,
@@ -90,7 +91,8 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     """
     if left := left_words(now):
         return left, "bad"
-    first = [*filter(None, (now.closed_with, now.earlier_on, field_says(now)))]  # whatever a supply says, or does not
+    to_stop = translated(str(STOP_UNSEEN)) if now.stop_unseen and _rests(now.platform_words) else ""
+    first = [*filter(None, (now.closed_with, now.earlier_on, field_says(now), to_stop))]  # whatever a supply says
     if first:
         why = [*first, *reasons(now.coil_words or state.NOT_READ, now.platform_words)]
         return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"
@@ -105,10 +107,15 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     return said, mark
 
 
+def _rests(platform_words: str) -> bool:
+    """As it was read last, however long ago."""
+    return platform_mark(platform_words)[1] in ("", "good", "old")
+
+
 def _hands_by_age(now: LabNow) -> tuple[str, str]:
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
-    stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
+    stands = _rests(now.platform_words)
     age_s = watched_age_s(now)
     if zero and now.coils_late:  # whoever has to wait for their answer is not read either
         return hands_words(state.WAS_ZERO, now.platform_words.partition(",")[0] if stands else now.platform_words)

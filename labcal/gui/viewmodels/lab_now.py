@@ -34,6 +34,7 @@ BY_KEY = QT_TRANSLATE_NOOP(
     "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
     "its controller",
 )
+STOP_UNSEEN = QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet")
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are looked at more often), and its answer
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
 HOMES_S = 10  # so long a platform that a run turns may look for its zero unread
@@ -55,7 +56,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
-    QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet"),
+    STOP_UNSEEN,
     QT_TRANSLATE_NOOP("Words", "platform turning"),
     QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
@@ -83,6 +84,7 @@ class LabNow:
     platform_words: str = ""
     platform_deg: float | None = None  # as it was read last; None where it is not known
     platform_old_s: int | None = None
+    stop_unseen: bool = False  # it was told to stop, and nobody has seen it stand since
     left_turning: bool = False  # so it was read last, and no run of this window stops it
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
@@ -297,7 +299,7 @@ def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
 
     `later`: it was told to stop, and is looked at again.
     """
-    stands = translated("the platform was ordered to stop, and is not seen to stand yet") if later else ""
+    stands = translated(str(STOP_UNSEEN)) if later else ""
     said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
     return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
 

@@ -72,7 +72,7 @@ def is_wrong(run: RunViewModel, now: LabNow) -> bool:
     """Whether hands have to be off for what nobody planned: else a run does as it was told to."""
     unasked = now.coil_words.startswith(state.ON) or platform_mark(now.platform_words)[1] == "warning"
     unasked = unasked and not (run.alive or now.driven_elsewhere)
-    left = now.closed_with or now.earlier_on or (now.left_by and not now.driven_elsewhere)
+    left = now.closed_with or now.earlier_on or now.stop_unseen or (now.left_by and not now.driven_elsewhere)
     known = alarm_of(now.coil_words) or platform_mark(now.platform_words)[1] == "bad" or now.failed or field_says(now)
     return bool(unasked or left or known or now.coils_lost or now.platform_lost)
 
@@ -105,8 +105,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     mark = hands_of(known)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return _off(run, now)
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
-    out = unread or asked_out(run, now) or (run.alive and mark not in MAY)
+    out = asked_out(run, now) or (run.alive and run.unread) or mark not in MAY
     return (translated(str(OUT)), OFF) if out else ("", "")
 
 
