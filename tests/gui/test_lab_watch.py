@@ -61,7 +61,7 @@ def test_after_a_lost_run_the_lab_is_read_until_it_is_at_zero(still):
     assert still.side.zero_words.text().startswith("✕ coils NOT confirmed at zero")
     app_state.watch.look()
     assert read(still, z=1.1).names == SUPPLIES
-    assert still.side.zero_words.text() == "● coils on: z +1.1000 A"
+    assert still.side.zero_words.text() == "● coils on: z +1.100 A"
     assert still.side.coils.values[2].text() == "+1.100"
     app_state.watch.look()
     read(still)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
@@ -25,7 +23,6 @@ from labcal.gui.viewmodels.lab_now import (
 
 ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
 MAY = "good", ALONE  # the states of a yes
-PLACES = re.compile(r"(\.\d{3})\d+(?= A)")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read yet"),
@@ -68,9 +65,9 @@ def reasons(coil_words: str, platform_words: str) -> list[str]:
 
 
 def _of_coils(coil_words: str) -> str:
-    """Currents in the places that the panel has; of the rest what it is, without the figures."""
+    """The currents; of the rest what it is, without the figures."""
     if coil_words.startswith(state.ON):
-        return in_words(PLACES.sub(r"\1", coil_words.partition(", read back ")[0]))
+        return in_words(coil_words.partition(", read back ")[0])
     return in_words(coil_words.partition(";")[0].partition(":")[0])
 
 
