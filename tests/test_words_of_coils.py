@@ -272,8 +272,8 @@ def test_a_zero_that_is_past_is_said_by_the_clock_and_by_whose_word() -> None:
 
 
 def test_the_supplys_word_now_and_a_reference_that_agreed_before_are_told_apart() -> None:
-    said = state((0.0, 0.0, 0.0), True, "agrees", 3.0).sentence(0.0)
-    assert said == f"{BY_WORD}: the reference agreed when it was last looked at, 3 s ago"
+    said = state((0.0, 0.0, 0.0), True, "agrees", 3.9).sentence(0.0)
+    assert said == f"{BY_WORD}: the reference agreed when it was last looked at, 3 s ago"  # in whole seconds
 
 
 def test_what_the_reference_saw_is_said_with_its_age() -> None:

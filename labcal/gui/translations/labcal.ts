@@ -979,7 +979,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the reference agreed when it was last looked at, {0} s ago</source>
+        <source>the reference agreed when it was last looked at, {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

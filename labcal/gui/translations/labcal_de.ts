@@ -979,8 +979,8 @@
         <translation>die Referenz wird nochmals angesehen: {0}</translation>
     </message>
     <message>
-        <source>the reference agreed when it was last looked at, {0} s ago</source>
-        <translation>die Referenz stimmte zu, als sie zuletzt angesehen wurde, vor {0} s</translation>
+        <source>the reference agreed when it was last looked at, {0}</source>
+        <translation>die Referenz stimmte zu, als sie zuletzt angesehen wurde, {0}</translation>
     </message>
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>

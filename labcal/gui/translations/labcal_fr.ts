@@ -979,8 +979,8 @@
         <translation>la référence est examinée de nouveau : {0}</translation>
     </message>
     <message>
-        <source>the reference agreed when it was last looked at, {0} s ago</source>
-        <translation>la référence concordait au dernier examen, il y a {0} s</translation>
+        <source>the reference agreed when it was last looked at, {0}</source>
+        <translation>la référence concordait au dernier examen, {0}</translation>
     </message>
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
