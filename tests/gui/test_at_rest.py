@@ -136,7 +136,7 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
         assert real.side.hands.text() == "▲ Hands off: not read yet"
     assert real.side.hands.property("state") == "off"
     real.app_state.take_lab(read(FRESH_S + 1.0))
-    assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
+    assert real.side.hands.text() == "● Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
     real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
     assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: coils on: z +0.400 A", "bad")
     real.app_state.take_lab(lab((0.0, 0.0, None)))

@@ -10000,6 +10000,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0} (last read {1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>zero, its output open</source>
         <translation type="unfinished"></translation>
     </message>

@@ -10001,6 +10001,14 @@ diesem Schritt …</translation>
         <translation>Noch nicht gelesen: {0}</translation>
     </message>
     <message>
+        <source>{0} (last read {1})</source>
+        <translation>{0} (zuletzt gelesen {1})</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
+        <translation>SPULEN AUS wurde um {0} gedrückt; niemand hat es bestätigt</translation>
+    </message>
+    <message>
         <source>zero, its output open</source>
         <translation>null, sein Ausgang offen</translation>
     </message>

@@ -10001,6 +10001,14 @@ cette étape …</translation>
         <translation>Pas encore lues : {0}</translation>
     </message>
     <message>
+        <source>{0} (last read {1})</source>
+        <translation>{0} (dernière lecture {1})</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
+        <translation>BOBINES À ZÉRO a été actionné à {0} ; personne ne l’a confirmé</translation>
+    </message>
+    <message>
         <source>zero, its output open</source>
         <translation>zéro, sa sortie ouverte</translation>
     </message>

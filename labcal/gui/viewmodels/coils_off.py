@@ -88,6 +88,7 @@ class CoilsOff(QObject):
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
         self._in_run: Fault | None = None  # `unconfirmed`, where a run that goes on lost a supply
+        self.pressed = ""  # by the clock on the wall; "" once each coil was read back at zero since
         self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
@@ -100,6 +101,7 @@ class CoilsOff(QObject):
         """Every coil to zero now. A run that does not get there itself is ended, and switched off."""
         window, self._ordered_s, self._looked = self._window, time.monotonic(), False
         self._off_s = self._ordered_s
+        self.pressed = time.strftime("%H:%M:%S") if window.bench else ""
         window.watch.stop()
         window.kept.order(window.now_s())
         if window.run.alive:
@@ -231,6 +233,8 @@ class CoilsOff(QObject):
 
     def look_at_platform(self) -> None:
         """One that nobody has seen to stand since it was stopped is a card of its own, until somebody has."""
+        if self._window.kept.ordered_s is None and self._window.lab.state.now.coils_at_zero:
+            self.pressed = ""
         self._look_at_coils()
         known, facts = self._window.known, self._window.facts
         mark = platform_mark(self._window.lab.state.now.platform_words)[1]
@@ -286,6 +290,7 @@ class CoilsOff(QObject):
     def forget(self) -> None:
         """Of another bench nothing was said."""
         self.unconfirmed = self.turning = self._off_s = self._report = None
+        self.pressed = ""
         self.earlier.take(())
 
     def _failed(self, fault: Fault) -> None:

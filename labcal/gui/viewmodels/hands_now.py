@@ -81,7 +81,7 @@ def left_words(now: LabNow) -> str:
 
 
 def hands_of(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age.
+    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age, in amber.
 
     Who gives no answer when it is looked at lets nobody in by what it said before. "bad" where a reason is known, which
     is as loud at rest as in a run; `OFF` where nobody has looked.
@@ -122,5 +122,7 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
     words, mark = hands_words(watched.coil_words, watched.platform_words)
     if age_s <= LOOK_S:  # the next look is on time: an age that came and went each time would say nothing
         return words, mark
+    if mark == "good":  # what is as old as that is green nowhere
+        words, mark = words.replace("✓", "●", 1), ALONE
     said, apart, why = words.partition("; ")
     return f"{said}, {age_words(age_s)}{apart}{why}", mark

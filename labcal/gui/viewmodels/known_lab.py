@@ -11,6 +11,7 @@ from dataclasses import replace
 from labcal.bench.coils import state
 from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
@@ -153,10 +154,11 @@ class KnownLab:
         return tuple(name for axis, name in named.items() if axis in on)
 
     def not_read(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
-        """The other supplies that nobody has read for so long that it says nothing of now, by name."""
+        """The other supplies that nobody has read for so long that it says nothing of now, each with how long ago."""
         known, by_hand = self.state or state.LabState(()), self.by_hand(facts, now_s)
-        old = {coil.axis for coil in known.coils if coil.read_s is None or now_s - coil.read_s > WATCHED_S}
-        return tuple(name for axis, name in supplies(facts).items() if axis in old and name not in by_hand)
+        old = {c.axis: c.read_s for c in known.coils if c.read_s is None or now_s - c.read_s > WATCHED_S}
+        left = ((old[axis], name) for axis, name in supplies(facts).items() if axis in old and name not in by_hand)
+        return tuple(name if read_s is None else last_read(name, int(now_s - read_s)) for read_s, name in left)
 
     def _goes_to_zero(self, coil: state.CoilReading, now_s: float) -> bool:
         """Whether it may be on its way still: since zero was ordered, or by the run that lost another supply."""

@@ -10,7 +10,7 @@ from labcal.bench.coils import state
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow, age_words, as_watched, mark_of, platform_mark, watched_age_s
 
 OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
 SEEN = QT_TRANSLATE_NOOP("Words", "the reference agreed {0}")
@@ -23,6 +23,7 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     Green as long as everybody it speaks of answers, and is read again and again; what is older has its age and
     another colour, as every other value. How old the rest is, the side panel says.
     """
+    late = not now.driven and watched_age_s(now) > LOOK_S
     now = as_watched(now)
     if not now.coil_words:
         return "", ""
@@ -32,6 +33,8 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     shape, mark = mark_of(now.coil_words)
     turns = platform_mark(now.platform_words)[1]
     stands = translated(str(STANDS)) if turns == "good" else in_words(now.platform_words)
+    if mark == "good" and late:
+        shape, mark = "■", ""
     if turns not in ("", "good"):
         shape, mark = "▲", "warning"
     seen = translated(str(SEEN)).format(age_words(now.reference_old_s)) if _seen_before(now) else ""
