@@ -16,9 +16,9 @@ from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.beside_coils import beside_coils
 
-STILL_ON = "▲ Hands off: the field says: still on (x, +48 µT more than with the coils off, 0 s ago)"
+STILL_ON = "✕ Hands off: the field says: still on (x, +48 µT more than with the coils off, 0 s ago)"
 OFF_NT = (20_400.0, 1_150.0, -43_700.0)
-SAID = "▲ Hands off: the reference sees +48 µT along x more than with the coils off"
+SAID = "✕ Hands off: the reference sees +48 µT along x more than with the coils off"
 
 
 def agreed(age_s=0.0):
@@ -72,7 +72,7 @@ def test_beside_a_supply_that_fell_silent_with_its_current_the_field_says_so_on_
     was = lab((others_A, 0.0, None), stands(), ("supply_z",))
     running.app_state.take_lab(replace(was, field=FieldReading(None, seen, now)))
     said = f"the field says: still on (z, {of_turn[2] / 1000:+.0f} µT more than with the coils off, 0 s ago)"
-    assert hands(running)[1].startswith(f"▲ Hands off: {said}; coils NOT confirmed at zero")
+    assert hands(running)[1].startswith(f"✕ Hands off: {said}; coils NOT confirmed at zero")
     assert said in running.fault.coils.text()
     running.app_state.take_lab(replace(was, field=FieldReading(None, OFF_NT, now)))
     assert "still on" not in hands(running)[1] + running.fault.coils.text()
@@ -126,7 +126,7 @@ def test_what_a_mounting_makes_does_not_and_it_goes_with_the_field(real):
     assert hands(real)[0] == ""
     read(real, 48_000.0, None)
     read(real, 0.0, None)
-    assert hands(real) == ("✕ HANDS OFF", "▲ Hands off: coils NOT confirmed at zero")
+    assert hands(real) == ("✕ HANDS OFF", "✕ Hands off: coils NOT confirmed at zero")
 
 
 def test_a_reference_that_was_moved_tells_nothing(real):

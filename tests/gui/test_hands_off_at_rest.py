@@ -80,6 +80,6 @@ def test_once_the_end_is_ordered_nothing_comes_unasked(still, end):
     still.app_state.bench_worker.items.emit((Step(0.0, 1, 2, "x-1", 60.0, ("x-1", "x-2")),))
     run.hands_off = True
     run.changed.emit()
-    assert panel.hands.text() == "▲ Hands off: the next field or turn comes unasked"
+    assert panel.hands.text() == "Hands off: the next field or turn comes unasked"
     end(run)
-    assert (panel.keep_off.text(), panel.hands.text()) == ("HANDS OFF", "▲ Hands off: stopping")
+    assert (panel.keep_off.text(), panel.hands.text()) == ("HANDS OFF", "Hands off: stopping")

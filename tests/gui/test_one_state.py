@@ -208,6 +208,9 @@ def of_hands(seen, state):
         yield f"{words!r} beside {seen.message!r}"
     if (mark in MAY) == bool(state.keep_off[0]) and words:
         yield f"{words!r} beside {state.keep_off[0]!r} over every page"
+    signs = {one.partition("H")[0] for one in (words, state.keep_off[0]) if one and mark not in MAY}
+    if len(signs) > 1:
+        yield f"{words!r} beside {state.keep_off[0]!r}: two signs of one state"
 
 
 def of_ages(seen, app_state):

@@ -21,7 +21,7 @@ from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import as_left, off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
-from labcal.gui.viewmodels.what_happens import hands_at, headline_state, kept_out, what_happens
+from labcal.gui.viewmodels.what_happens import hands_at, headline_state, keep_off, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
@@ -332,7 +332,7 @@ class Live(QWidget):
         self.waits_for.setText(translated(str(SHOWN)).format(", ".join(now.failed)) if now.failed else "")
         self.waits_for.setVisible(bool(now.failed) and self._goes_on)
         words, mark = hands_at(self._run, now)
-        self.prompt.say_lab(now, words if mark == OFF else "")
+        self.prompt.say_lab(now, words if mark == OFF else "", keep_off(self._run, now)[0])
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
         self.prompt.say_moved(self._run.moved.words(by_the_wall=not self._run.virtual_time))

@@ -160,8 +160,21 @@ def at_hands(run: RunViewModel, now: LabNow, facts: Bench | None) -> dict[str, t
     return {"keep_off": keep_off(run, now), "hands": hands_at(run, now) if there else ("", "")}
 
 
+def in_shape(words: str, heading: str) -> str:
+    """A no in `words` with the sign of the `heading` over every page: one state has one sign, wherever it is said."""
+    quiet = translated(str(OUT)).partition(" ")[0] + " "
+    loud = bool(words) and translated(str(KEEP)) in heading
+    return heading.partition(translated(str(KEEP)))[0] + words.removeprefix(quiet) if loud else words
+
+
 def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
-    """Whether they may go in, and why not: what is known first, then what comes unasked."""
+    """Whether they may go in, and why not, with the sign that the heading has."""
+    words, mark = _hands_at(run, now)
+    return (words if mark in MAY else in_shape(words, keep_off(run, now)[0])), mark
+
+
+def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+    """What is known first, then what comes unasked."""
     promised = run.hands_off and run.state not in ("asking", "paused")
     words, mark = hands_of(replace(now, coil_words=state.NOT_READ) if begins(run, now) else now)
     if mark != "bad" and run.alive and (promised or run.segment is not None):

@@ -10,7 +10,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 
 def say_coils(card: FaultCard, app_state: AppState) -> None:
     """As they are known now."""
-    known = pressed_words(app_state.off.pressed), beside_coils(app_state.lab.state.now)
+    known = beside_coils(app_state.lab.state.now), pressed_words(app_state.off.pressed)
     card.say_coils(app_state.coil_words(), app_state.by_hand(), ". ".join(filter(None, known)))
     card.say_not_read(app_state.off.not_read())
     card.say_platform(app_state.platform_words())
