@@ -60,6 +60,7 @@ NO_CLAIM = {
     "Checking the zero: coils to zero, then what the reference sees …": REFUSED,
     "✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.": READ,
     "▲ Hands off: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
+    "COILS OFF was pressed at {0}; nobody has confirmed it": NOT_KNOWN,
     "the reference sees {0} µT along {1} more than with the coils off": READ,
     "the field says: still on ({1}, {0} µT more than with the coils off, {2})": READ,
     "; the guardian of the last session has {0} until {1} is read back at zero": NOT_KNOWN,
