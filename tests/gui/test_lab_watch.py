@@ -189,7 +189,7 @@ def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_l
 
 
 def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_been_read(still, later):
-    """Of a simulated lab the supplies are read on, and nobody looks at its reference: how old that is, is said."""
+    """Of a simulated lab supplies and platform are read on, and its reference is not: how old that is, is said."""
     app_state, live = still.app_state, still.page("Run").live
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     app_state.off.order()
@@ -207,13 +207,17 @@ def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_be
 
     def read_again():
         coils = tuple(replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)
-        app_state.take_lab(replace(app_state.known, coils=coils))
+        platform = PlatformReading(223.0, False, app_state.now_s())
+        app_state.take_lab(replace(app_state.known, coils=coils, platform=platform))
 
     assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
-    later(3.0)
+    later(2.5)
     read_again()
     assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
-    later(32.0)
+    later(1.0)
+    read_again()
+    assert said() == ("■ COILS OFF: coils at zero, platform stands, the reference agreed 3 s ago", "")
+    later(31.5)
     read_again()
     assert said() == ("■ COILS OFF: coils at zero, platform stands, the reference agreed 35 s ago", "")
     later(40.0)  # nobody reads the supplies either

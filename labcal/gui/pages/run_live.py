@@ -18,7 +18,7 @@ from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.failed_step import SHOWN, in_short
 from labcal.gui.viewmodels.lab_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
-from labcal.gui.viewmodels.off_headline import as_left, off_headline
+from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, headline_state, keep_off, kept_out, what_happens
@@ -278,7 +278,7 @@ class Live(QWidget):
         how = run_verdict(run, self._app_state.path.resumable, mended=bool(self._answer_again()))
         self.verdict.show_verdict(run.order.dut if run.order else "", how)
         now = self._app_state.lab.state.now
-        words, state = off_headline(as_left(now) if run.virtual_time else now) if run.by_off else ("", "")
+        words, state = off_headline(now) if run.by_off else ("", "")
         return self.verdict.say_off(words, state) if words else None
 
     def _show_details(self) -> None:

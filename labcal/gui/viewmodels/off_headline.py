@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
@@ -24,7 +22,7 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     another colour, as every other value. How old the rest is, the side panel says.
     """
     late = not now.driven and watched_age_s(now) > LOOK_S
-    now = as_watched(now)
+    now = now if late else as_watched(now)
     if not now.coil_words:
         return "", ""
     if now.coils_at_zero is False:
@@ -33,8 +31,6 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     shape, mark = mark_of(now.coil_words)
     turns = platform_mark(now.platform_words)[1]
     stands = translated(str(STANDS)) if turns == "good" else in_words(now.platform_words)
-    if mark == "good" and late:
-        shape, mark = "■", ""
     if turns not in ("", "good"):
         shape, mark = "▲", "warning"
     seen = translated(str(SEEN)).format(age_words(now.reference_old_s)) if _seen_before(now) else ""
@@ -48,9 +44,3 @@ def _seen_before(now: LabNow) -> bool:
     """Whether the supplies alone have been read since the reference agreed."""
     old = now.reference_agreed and now.reference_old_s is not None
     return old and now.coil_words.startswith(state.BY_WORD)
-
-
-def as_left(now: LabNow) -> LabNow:
-    """An emulated platform is no more once its run is over, and is read no more: it stands as it did then."""
-    stood = platform_mark(now.platform_words)[1] == "old"
-    return replace(now, platform_words=now.platform_words.partition(",")[0], platform_old_s=None) if stood else now
