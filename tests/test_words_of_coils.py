@@ -60,6 +60,7 @@ NO_CLAIM = {
     "Checking the zero: coils to zero, then what the reference sees …": REFUSED,
     "✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.": READ,
     "▲ Hands off: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
+    "COILS OFF was pressed at {0}; nobody has confirmed it": NOT_KNOWN,
     "the reference sees {0} µT along {1} more than with the coils off": READ,
     "the field says: still on ({1}, {0} µT more than with the coils off, {2})": READ,
     "; the guardian of the last session has {0} until {1} is read back at zero": NOT_KNOWN,
@@ -272,8 +273,8 @@ def test_a_zero_that_is_past_is_said_by_the_clock_and_by_whose_word() -> None:
 
 
 def test_the_supplys_word_now_and_a_reference_that_agreed_before_are_told_apart() -> None:
-    said = state((0.0, 0.0, 0.0), True, "agrees", 3.0).sentence(0.0)
-    assert said == f"{BY_WORD}: the reference agreed when it was last looked at, 3 s ago"
+    said = state((0.0, 0.0, 0.0), True, "agrees", 3.9).sentence(0.0)
+    assert said == f"{BY_WORD}: the reference agreed when it was last looked at, 3 s ago"  # in whole seconds
 
 
 def test_what_the_reference_saw_is_said_with_its_age() -> None:

@@ -16,6 +16,7 @@ from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import (
     LIGHT_SHAPES,
+    PLACES,
     LabNow,
     age_words,
     as_watched,
@@ -170,7 +171,7 @@ class SidePanel(Surface):
         old = "" if now.coil_old_s is None else "old"
         self.coils_age.setText(age_words(now.coil_old_s))
         for row, current in enumerate(now.coil_A):  # x, y, z
-            self.coils.show_row(row, "–" if current is None else format_number(current, 3), state=old)
+            self.coils.show_row(row, "–" if current is None else format_number(current, PLACES), state=old)
         words = as_watched(now).coil_words  # what was read so short ago is watched: of how old it is the rows speak
         shape, mark = mark_of(words, at_rest=now.at_rest)
         on = self.tr("on")

@@ -1,4 +1,8 @@
-"""A person is awaited on a bench whose clock stands meanwhile: what is shown is read anew, or grows old."""
+"""A person is awaited on a bench whose clock stands meanwhile: what is shown is read anew, or grows old.
+
+No stream sends while time stands: reference and DUT have the age that the clock on the wall gives them, wherever that
+is said.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +14,7 @@ from labcal.bench.bench import Bench
 from labcal.bench.coils.state import LabState
 from labcal.errors import InstrumentError
 
+STREAMS = ("reference", "dut")  # roles
 AGAIN_S = 1.5  # sooner than what was read counts as old
 SETTLED_S = 3.0  # of the bench's time after a ramp, in which a reference that sends has sent
 
@@ -22,15 +27,19 @@ class Awaited:
         self._since_s = self._read_s = time.monotonic()
 
     def state(self) -> LabState:
-        """Coils and platform as they answer now; the field with its age, for no stream sends while time stands."""
+        """Coils and platform as they answer now; of what streams, what it sent last, with its age."""
         now = time.monotonic()
         if now - self._read_s >= AGAIN_S:
             self._read_s = now
             self._read_again()
         state = self._bench.state().shifted(now - self._bench.clock.now())
-        read_s = state.field.read_s
-        aged_s = None if read_s is None else read_s - (now - self._since_s)
-        return replace(state, field=replace(state.field, read_s=aged_s))
+        by_s = now - self._since_s
+        field = replace(state.field, read_s=_earlier(state.field.read_s, by_s))
+        reference = replace(state.reference, read_s=_earlier(state.reference.read_s, by_s))
+        roles = self._bench.config.instruments
+        heard = (replace(one, heard_s=_earlier(one.heard_s, by_s)) if roles[one.name].role in STREAMS else one
+                 for one in state.instruments)  # fmt: skip
+        return replace(state, field=field, reference=reference, instruments=tuple(heard))
 
     def lets_pass(self) -> bool:
         """Whether a little of the bench's time is to pass after all: the field was not seen since a ramp, or a zero."""
@@ -49,3 +58,7 @@ class Awaited:
                 self._bench.cage.read(axis)
         with suppress(InstrumentError):
             self._bench.look_at_platform()
+
+
+def _earlier(read_s: float | None, by_s: float) -> float | None:
+    return None if read_s is None else read_s - by_s

@@ -32,7 +32,7 @@ def test_an_angle_that_nobody_reads_any_more_says_so(running, age_s):
     card = running.page("Run").live.prompt
     assert card.stands.text() == said.text()
     assert card.drawing.platform_words() == f"platform at 71°, {age_s:.0f} s ago"
-    assert card.hands.text() == "▲ Hands off: coils on: z +0.500 A; platform turns"
+    assert card.hands.text() == "Hands off: coils on: z +0.500 A; platform turns"
 
 
 def test_a_fresh_one_has_no_age(running):

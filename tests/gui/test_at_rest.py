@@ -136,11 +136,11 @@ def test_at_rest_the_side_panel_says_on_every_page_whether_hands_may_go_in(real)
         assert real.side.hands.text() == "▲ Hands off: not read yet"
     assert real.side.hands.property("state") == "off"
     real.app_state.take_lab(read(FRESH_S + 1.0))
-    assert real.side.hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
+    assert real.side.hands.text() == "● Hands may go in: coils at zero, by their supplies and by the field, 3 s ago"
     real.app_state.take_lab(lab((0.0, 0.0, 0.4)))
-    assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: coils on: z +0.400 A", "bad")
+    assert (real.side.hands.text(), real.side.hands.property("state")) == ("✕ Hands off: coils on: z +0.400 A", "bad")
     real.app_state.take_lab(lab((0.0, 0.0, None)))
-    assert real.side.hands.text() == "▲ Hands off: coils NOT confirmed at zero"
+    assert real.side.hands.text() == "✕ Hands off: coils NOT confirmed at zero"
     assert (real.side.zero_words.isVisible(), real.side.keep_off.text()) == (False, "✕ HANDS OFF")  # said once
 
 
@@ -150,7 +150,7 @@ def test_it_stands_there_in_every_state_of_a_run(running):
     assert running.side.hands.text().startswith(said)
     send(running, READY)
     running.app_state.run.answer("done")
-    assert running.side.hands.text() == "▲ Hands off: the next field or turn comes unasked"
+    assert running.side.hands.text() == "Hands off: the next field or turn comes unasked"
     assert not running.side.zero_words.isVisible(), "nothing that calms below HANDS OFF"
     send(running, Event(4.0, "pause", "paused"))
     assert running.side.hands.text().startswith(said)
@@ -158,7 +158,7 @@ def test_it_stands_there_in_every_state_of_a_run(running):
     assert (hands.isVisible(), hands.text()) == (True, running.side.hands.text())
     assert hands.objectName() == card_of(running).hands.objectName()
     send(running, Event(5.0, "pause", "goes on"), SegmentOpened(6.0, Segment("z", "static")))
-    assert running.side.hands.text() == "▲ Hands off: the next field or turn comes unasked"
+    assert running.side.hands.text() == "Hands off: the next field or turn comes unasked"
     assert not hands.isVisible()
     running.app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("left", "left")))
     assert running.side.hands.isVisible()

@@ -4,7 +4,7 @@ import time
 
 import pytest
 from lab_states import told
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QApplication, QLabel, QSystemTrayIcon
 
 from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, Witness
@@ -29,6 +29,21 @@ def running(new_window, monkeypatch):
     new_window.close()
     yield new_window
     QApplication.setQuitOnLastWindowClosed(True)
+
+
+class Painted(QObject):
+    """What a line said when it was drawn last."""
+
+    def __init__(self, line):
+        super().__init__(line)
+        self.words = ""
+        line.installEventFilter(self)
+        line.update()
+
+    def eventFilter(self, line, event):
+        if event.type() == QEvent.Type.Paint:
+            self.words = line.text()
+        return False
 
 
 def press(qtbot, window, way):
@@ -67,7 +82,7 @@ def test_the_window_stays_until_the_coils_were_read_back_and_says_so_before_it_g
     told(running, (0.0, 0.0, 1.1))
     press(qtbot, running, way)
     going = running.leaving.going
-    assert (going.isVisible(), going.lab_lines.coils.text()) == (True, "● coils on: z +1.1000 A")
+    assert (going.isVisible(), going.lab_lines.coils.text()) == (True, "● coils on: z +1.100 A")
     assert going.heading.text().startswith("Going to zero")
     told(running)
     status = "stopped" if way == "stop" else "interrupted"
@@ -77,6 +92,15 @@ def test_the_window_stays_until_the_coils_were_read_back_and_says_so_before_it_g
     assert (running.isVisible(), going.lab_lines.coils.text()[:15]) == (True, "✓ coils at zero")
     qtbot.waitUntil(lambda: not running.isVisible())
     assert time.monotonic() - seen_s > 1.0
+
+
+def test_what_the_dialog_shows_is_never_older_than_what_the_window_knows(qtbot, running):
+    told(running, (0.0, 0.0, 1.1))
+    press(qtbot, running, "stop")
+    seen = Painted(running.leaving.going.lab_lines.coils)
+    qtbot.waitUntil(lambda: seen.words == "● coils on: z +1.100 A")
+    told(running)
+    assert seen.words.startswith("✓ coils at zero"), "before anything else is drawn"
 
 
 def test_with_a_coil_that_is_not_read_back_it_does_not_close_and_says_so(qtbot, running):

@@ -11,13 +11,14 @@ from test_hands_in_the_cage import running as running
 
 from labcal.bench.coils.agreement import BEFORE_HANDS, CHANGED, LIMIT_NT, MOVED
 from labcal.bench.coils.before_hands import DRIFT_NT_PER_H
-from labcal.bench.coils.state import FieldReading, Witness
+from labcal.bench.coils.state import NOT_SINCE, FieldReading, Witness
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.beside_coils import beside_coils
 
-STILL_ON = "▲ Hands off: the field says: still on (x, +48 µT more than with the coils off, 0 s ago)"
+STILL_ON = "✕ Hands off: the field says: still on (x, +48 µT more than with the coils off, 0 s ago)"
 OFF_NT = (20_400.0, 1_150.0, -43_700.0)
-SAID = "▲ Hands off: the reference sees +48 µT along x more than with the coils off"
+SAID = "✕ Hands off: the reference sees +48 µT along x more than with the coils off"
 
 
 def agreed(age_s=0.0):
@@ -71,10 +72,39 @@ def test_beside_a_supply_that_fell_silent_with_its_current_the_field_says_so_on_
     was = lab((others_A, 0.0, None), stands(), ("supply_z",))
     running.app_state.take_lab(replace(was, field=FieldReading(None, seen, now)))
     said = f"the field says: still on (z, {of_turn[2] / 1000:+.0f} µT more than with the coils off, 0 s ago)"
-    assert hands(running)[1].startswith(f"▲ Hands off: {said}; coils NOT confirmed at zero")
+    assert hands(running)[1].startswith(f"✕ Hands off: {said}; coils NOT confirmed at zero")
     assert said in running.fault.coils.text()
     running.app_state.take_lab(replace(was, field=FieldReading(None, OFF_NT, now)))
     assert "still on" not in hands(running)[1] + running.fault.coils.text()
+
+
+@pytest.mark.parametrize("since", ["on the way down", "ordered off", "both"])
+def test_what_the_field_said_last_stands_with_its_age_until_it_is_read_again(real, since):
+    """On the way down a run shows no reading of before, and after COILS OFF no supply has been read back yet."""
+    app_state, now = real.app_state, time.monotonic() - 3.0
+    app_state.take_lab(agreed(10.0))
+    seen = FieldReading(None, (OFF_NT[0] + 48_000.0, *OFF_NT[1:]), now)
+    was = replace(lab((None, 0.0, 0.0), stands(), ("supply_x",)), reference=Witness("disagrees", "another field"))
+    app_state.take_lab(replace(was, field=seen))
+    said = STILL_ON.replace("0 s ago", "3 s ago")
+    assert hands(real)[1].startswith(said)
+    if since != "ordered off":
+        app_state.take_lab(replace(was, field=FieldReading()))
+    if since != "on the way down":
+        app_state.off.order()
+        assert app_state.lab.state.now.coil_words == NOT_SINCE
+    assert hands(real)[1].startswith(said)
+    assert beside_coils(app_state.lab.state.now).startswith("the field says: still on")
+    app_state.kept.answered()
+    app_state.take_lab(replace(was, field=FieldReading(None, OFF_NT, now + 3.0)))
+    assert "still on" not in hands(real)[1]
+
+
+def test_the_field_is_shown_with_its_age_while_the_coils_are_read_back(real):
+    real.app_state.take_lab(agreed())
+    read(real, 0.0)
+    real.app_state.off.order()
+    assert real.side.field.values[1].text() != "–"
 
 
 def test_a_doubt_that_coils_off_left_does_not_silence_the_field(real):
@@ -96,7 +126,7 @@ def test_what_a_mounting_makes_does_not_and_it_goes_with_the_field(real):
     assert hands(real)[0] == ""
     read(real, 48_000.0, None)
     read(real, 0.0, None)
-    assert hands(real) == ("✕ HANDS OFF", "▲ Hands off: coils NOT confirmed at zero")
+    assert hands(real) == ("✕ HANDS OFF", "✕ Hands off: coils NOT confirmed at zero")
 
 
 def test_a_reference_that_was_moved_tells_nothing(real):

@@ -91,4 +91,4 @@ def test_a_bench_that_is_open_and_unread_keeps_hands_out_on_every_page(opened):
 
 def test_a_simulated_lab_is_not_read_and_alarms_nobody(still):
     assert still.app_state.watch_worker.commands(ReadLab) == []
-    assert still.side.keep_off.text() == ""
+    assert still.side.keep_off.property("state") == "off"

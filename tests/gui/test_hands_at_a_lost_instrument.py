@@ -38,7 +38,7 @@ def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_wit
     says(running, platform=stands(moving=True))
     app_state.take_lab(lab(platform=stands(moving=True)))
     card.say_hands()
-    assert card.hands.text() == "▲ Hands off"
+    assert card.hands.text() == "✕ Hands off"
     assert "platform NOT confirmed at a standstill" in card.turning.text()  # once on one card
 
 

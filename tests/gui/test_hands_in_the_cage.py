@@ -327,11 +327,11 @@ def test_who_is_sent_to_a_plug_is_told_whether_hands_may_go_in(running, key):
     assert not card.lab.isVisibleTo(card), "the same, said once"
     assert card.stands.text() == "✓ platform stands at 40°"
     says(running, (0.0, 0.0, None), platform=stands(), faulty=("supply_z",))
-    assert card.hands.text() == "▲ Hands off: coils NOT confirmed at zero"
+    assert card.hands.text() == "✕ Hands off: coils NOT confirmed at zero"
     says(running, platform=PlatformReading(fault="link lost"), faulty=("stage",))
-    assert card.hands.text() == "▲ Hands off: platform NOT confirmed at a standstill"
+    assert card.hands.text() == "✕ Hands off: platform NOT confirmed at a standstill"
     says(running, platform=stands(age_s=WATCHED_S + 2.0), faulty=("stage",))
-    assert card.hands.text() == "▲ Hands off: platform NOT confirmed at a standstill"
+    assert card.hands.text() == "✕ Hands off: platform NOT confirmed at a standstill"
     assert card.hands.isVisibleTo(card)
 
 

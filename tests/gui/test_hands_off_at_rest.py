@@ -48,9 +48,18 @@ def test_a_bench_that_nobody_has_read_yet_is_calm(real):
     assert (real.side.hands.text(), real.side.hands.property("state")) == ("▲ Hands off: not read yet", "off")
 
 
-def test_a_simulated_lab_whose_run_is_over_is_no_alarm(still):
-    still.app_state.take_lab(replace(lab(platform=stands()), instruments=SILENT))
+@pytest.mark.parametrize("why", KNOWN)
+def test_in_a_simulated_lab_as_well_it_is_read_as_a_real_one(still, why):
+    still.app_state.take_lab(KNOWN[why]())
+    assert at(still) == ("✕ HANDS OFF", "bad")
+    still.app_state.take_lab(lab(platform=stands()))
     assert at(still) == ("", "")
+
+
+def test_a_platform_of_a_simulated_lab_that_was_read_long_ago_lets_nobody_in(still):
+    still.app_state.take_lab(lab(platform=stands(age_s=58.0)))
+    assert still.side.hands.text() == "▲ Hands off: the platform is not being read"
+    assert still.app_state.off.to_be_read()[-1] == "stage"
 
 
 def test_a_bench_that_is_open_and_was_not_read_keeps_hands_off_at_once(still):
@@ -61,6 +70,7 @@ def test_a_bench_that_is_open_and_was_not_read_keeps_hands_off_at_once(still):
     assert (panel.may_go_in.text(), panel.hands.text(), panel.hands_group.isVisible()) == (
         "▲ Hands off", "▲ Hands off: not read yet", True,
     )  # fmt: skip
+    assert at(still) == ("▲ Hands off", "off")
 
 
 @pytest.mark.parametrize("end", [RunViewModel.stop, RunViewModel.abort])
@@ -70,6 +80,6 @@ def test_once_the_end_is_ordered_nothing_comes_unasked(still, end):
     still.app_state.bench_worker.items.emit((Step(0.0, 1, 2, "x-1", 60.0, ("x-1", "x-2")),))
     run.hands_off = True
     run.changed.emit()
-    assert panel.hands.text() == "▲ Hands off: the next field or turn comes unasked"
+    assert panel.hands.text() == "Hands off: the next field or turn comes unasked"
     end(run)
-    assert (panel.keep_off.text(), panel.hands.text()) == ("HANDS OFF", "▲ Hands off: stopping")
+    assert (panel.keep_off.text(), panel.hands.text()) == ("HANDS OFF", "Hands off: stopping")

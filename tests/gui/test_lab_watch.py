@@ -36,6 +36,9 @@ def read(still, **currents):
                            current is not None and abs(current) < 0.005, field)
         )  # fmt: skip
     still.app_state.watch_worker.answer(ReadLab, tuple(said))
+    stands = InstrumentRead("stage", "platform", "", "a stage", None, False, now, angle_deg=0.0, moving=False)
+    while still.app_state.watch_worker.commands(ReadLab) == [ReadLab(asked.bench, ("stage",))]:
+        still.app_state.watch_worker.answer(ReadLab, (stands,))
     return asked
 
 
@@ -58,14 +61,14 @@ def test_after_a_lost_run_the_lab_is_read_until_it_is_at_zero(still):
     assert still.side.zero_words.text().startswith("✕ coils NOT confirmed at zero")
     app_state.watch.look()
     assert read(still, z=1.1).names == SUPPLIES
-    assert still.side.zero_words.text() == "● coils on: z +1.1000 A"
+    assert still.side.zero_words.text() == "● coils on: z +1.100 A"
     assert still.side.coils.values[2].text() == "+1.100"
     app_state.watch.look()
     read(still)
     assert still.side.zero_words.text().startswith("■ coils read back at zero by their supplies")
     assert not still.fault.isVisible()
     app_state.watch.look()
-    assert read(still).names == SUPPLIES  # nothing is wrong: hands may go in now, and it is looked at on
+    assert read(still).names == (*SUPPLIES, "stage")  # nothing is wrong: it is looked at on, and the platform too
     assert next(light for name, light, _ in app_state.lab.state.now.lights if name == "supply_z") == "ok"
 
 
@@ -178,14 +181,15 @@ def test_after_a_run_and_after_read_all_it_is_watched_until_somebody_wants_the_l
     app_state.off_worker.answer(SwitchOff, SwitchedOff(tuple(CoilEnd(a, 0.0, "zero", True, time.monotonic())
                                                              for a in "xyz")))  # fmt: skip
     app_state.watch.look()
-    read(still)
+    assert read(still).names == (*SUPPLIES, "stage"), "after COILS OFF both are looked at, at once"
+    assert read(still).names == SUPPLIES
     app_state.run.start(order)
     app_state.watch.look()
     assert app_state.watch_worker.commands(ReadLab) == []
 
 
 def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_been_read(still, later):
-    """Of a simulated lab the supplies are read on, and nobody looks at its reference: how old that is, is said."""
+    """Of a simulated lab supplies and platform are read on, and its reference is not: how old that is, is said."""
     app_state, live = still.app_state, still.page("Run").live
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     app_state.off.order()
@@ -203,13 +207,17 @@ def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_be
 
     def read_again():
         coils = tuple(replace(one, read_s=app_state.now_s()) for one in app_state.known.coils)
-        app_state.take_lab(replace(app_state.known, coils=coils))
+        platform = PlatformReading(223.0, False, app_state.now_s())
+        app_state.take_lab(replace(app_state.known, coils=coils, platform=platform))
 
     assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
-    later(3.0)
+    later(2.5)
     read_again()
     assert said() == ("✓ COILS OFF: coils at zero, platform stands", "good")
-    later(32.0)
+    later(1.0)
+    read_again()
+    assert said() == ("■ COILS OFF: coils at zero, platform stands, the reference agreed 3 s ago", "")
+    later(31.5)
     read_again()
     assert said() == ("■ COILS OFF: coils at zero, platform stands, the reference agreed 35 s ago", "")
     later(40.0)  # nobody reads the supplies either

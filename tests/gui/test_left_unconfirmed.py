@@ -60,7 +60,7 @@ def test_what_was_not_confirmed_is_said_by_the_next_window_while_its_bench_opens
     real.app_state.take_lab(lab(LOST, platform=stands()))
     real.app_state.left.close()
     for words, large, state in (opened_anew(real), hands(real)):
-        assert re.fullmatch(f"▲ Hands off: {SAID}", words), words
+        assert re.fullmatch(f"✕ Hands off: {SAID}", words), words
         assert (large, state) == ("✕ HANDS OFF", "bad")
     assert real.app_state.watch_worker.commands(ReadLab)[-1].names == (), "it reads all, unasked"
 
@@ -87,7 +87,7 @@ def test_it_is_gone_once_all_is_read_back_at_zero(real):
 def test_a_platform_that_nobody_saw_stand_as_well(real):
     real.app_state.take_lab(replace(lab(platform=stands(moving=True)), instruments=(Heard("stage", None, "silent"),)))
     words, large, _ = opened_anew(real)
-    assert re.fullmatch(r"▲ Hands off: stage: not confirmed at a standstill when the window closed, \d\d:\d\d", words)
+    assert re.fullmatch(r"✕ Hands off: stage: not confirmed at a standstill when the window closed, \d\d:\d\d", words)
     assert large == "✕ HANDS OFF"
 
 
@@ -108,7 +108,7 @@ def test_two_faults_at_once_are_two_reasons(real):
     old = replace(lab((None, 0.0, 0.0), platform=stands(age_s=23.0)), instruments=silent)
     real.app_state.take_lab(old)
     reasons = "coils NOT confirmed at zero; platform NOT confirmed at a standstill"
-    assert hands(real) == (f"▲ Hands off: {reasons}", "✕ HANDS OFF", "bad")
+    assert hands(real) == (f"✕ Hands off: {reasons}", "✕ HANDS OFF", "bad")
     assert real.side.platform.text() == "✕ platform NOT confirmed at a standstill"
     assert real.side.angle.text() == ""
 

@@ -19,8 +19,8 @@ from labcal.store import Store
 from labcal.store.left_running import left_running
 
 BENCH = 'name = "cage-2"\n'
-CUT_OFF = "▲ Hands off: a run of MAG-0043 was cut off; the coils are not known"
-ELSEWHERE = "▲ Hands off: another process drives a run of MAG-0043; the coils may be on"
+CUT_OFF = "✕ Hands off: a run of MAG-0043 was cut off; the coils are not known"
+ELSEWHERE = "Hands off: another process drives a run of MAG-0043; the coils may be on"
 KILLED = LeftRunning("MAG-0043_20260101T000000", "MAG-0043", False)
 WRITES = """
 import os, sys

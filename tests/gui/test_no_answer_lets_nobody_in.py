@@ -34,7 +34,7 @@ def test_a_line_that_gives_no_answer_takes_the_green_away_at_once(lost, said, ag
 
 
 def test_that_of_the_dut_says_nothing_of_hands():
-    assert hands_of(seen("dut"))[1] == "good"
+    assert hands_of(seen("dut", ago_s=1.0))[1] == "good"
 
 
 def test_the_headline_after_coils_off_keeps_no_sentence_that_nobody_reads_on():

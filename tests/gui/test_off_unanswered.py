@@ -1,5 +1,6 @@
 """COILS OFF that nobody answers is red after two seconds, with the names of the supplies to be switched off by hand."""
 
+import re
 import time
 
 from lab_states import told
@@ -38,6 +39,24 @@ def test_with_every_line_silent_it_is_red_as_soon_as_an_answer_is_missed(qtbot, 
     assert (still.fault.heading.text(), still.fault.by_hand.text()) == ("✕ HANDS OFF: the coils may be on", ALL)
     assert still.side.zero_words.text() == "✕ coils NOT confirmed at zero"
     assert still.next.text() == "Next: See to the coils"
+
+
+def test_that_it_was_pressed_stands_on_the_card_until_each_coil_was_read_back(qtbot, still, later):
+    """Pressed again where the card stood already: else nothing would have come of it that anybody sees."""
+    app_state = still.app_state
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    later(ANSWERS_S + 0.5)
+    app_state.off_worker.asked[-1].failed(Fault("ended", "The work was killed (signal 9, SIGKILL)."))
+    app_state.off.pressed = "00:00:00"  # the first time
+    qtbot.keyClick(still, Qt.Key.Key_F12)
+    app_state.off_worker.answer(SwitchOff, SwitchedOff(ends(x="silent", y="silent", z="silent")))
+    later(60.0)
+    said = re.search(r"COILS OFF was pressed at (\d\d:\d\d:\d\d); nobody has confirmed it", still.fault.coils.text())
+    assert said is not None, still.fault.coils.text()
+    assert said[1] != "00:00:00"
+    zero = tuple(CoilReading(a, None, 0.0, True, None, module.time.monotonic()) for a in "xyz")
+    app_state.take_lab(LabState(zero))
+    assert app_state.off.pressed == ""
 
 
 def test_a_supply_that_answers_in_time_alarms_nobody(qtbot, still, later):
@@ -86,7 +105,7 @@ def test_the_supply_is_named_as_long_as_it_is_true_and_figures_are_a_click_deepe
     card = still.fault
     assert card.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
     assert card.by_hand.objectName() == "ask"
-    assert card.coils.text() == "coils NOT confirmed at zero"
+    assert card.coils.text().startswith("coils NOT confirmed at zero. COILS OFF was pressed at ")
     assert card.text.isHidden()
     assert raw in card.details.toPlainText()
     assert card.details.isHidden()

@@ -3,16 +3,18 @@
 import itertools
 import re
 import time
+from dataclasses import replace
 
 import pytest
 from lab_states import silent
 from PySide6.QtWidgets import QLabel
 
-from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, PlatformReading, Witness
-from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import RunProcedure
+from labcal.bench.coils.state import CoilReading, FieldReading, Heard, LabState, PlatformReading, Witness, unread
+from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
+from labcal.gui.ipc.messages import RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels import app_state as module
+from labcal.gui.viewmodels.hands_now import MAY
 from labcal.record import Segment
 from labcal.record.stream import Event, Measurement, Prompt, SegmentOpened, Step
 
@@ -40,6 +42,7 @@ RUNS = {  # what is told, and how the run ends (None: it goes on)
     "stopped": ((FIRST, GOOD), Ended("r1", "stopped", Fault("stopped", "stopped by the operator"))),
     "failed": ((FIRST, GOOD), Ended("r1", "failed: reference is silent", SILENT)),
     "interrupted by its store": ((FIRST, GOOD), Ended("r1", "interrupted", Fault("input", "runs.sqlite: disk full"))),
+    "COILS OFF at rest, the platform read 3 s before": (None, "off"),
     "its worker died": ((FIRST, ENERGISED), Fault("ended", "The work was killed (signal 9, SIGKILL).")),
 }
 ON, OFF, LOST = (1.52, 0.0, -0.4), (0.0, 0.001, 0.0), (None, 0.0, 0.0)
@@ -93,6 +96,9 @@ def brought(window, which):
     app_state, (items, end) = window.app_state, RUNS[run_state]
     now = module.time.monotonic()
     state = told(list(app_state.facts.instruments), COILS[coils], INSTRUMENTS[instruments], GUARDIANS[guardian], now)
+    if end == "off":
+        switched_off(app_state, state)
+        return
     if items is None:
         if state is not None:
             app_state.take_lab(state)
@@ -102,6 +108,16 @@ def brought(window, which):
     if state is not None:
         app_state.bench_worker.states.emit(state)
     finish(app_state, end)
+
+
+def switched_off(app_state, state):
+    """COILS OFF at rest is answered: each supply is read back at zero, the platform was not looked at."""
+    now, known = module.time.monotonic(), state or LabState(unread())
+    long_ago = known.platform and replace(known.platform, read_s=now - 3.0)
+    app_state.take_lab(replace(known, platform=long_ago))
+    app_state.off.order()
+    ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, now) for axis in "xyz")
+    app_state.off_worker.answer(SwitchOff, SwitchedOff(ends))
 
 
 def finish(app_state, end):
@@ -143,6 +159,7 @@ def contradictions(window):
     seen, run = Seen(window), window.app_state.run
     yield from of_the_coils(seen)
     yield from of_ages(seen, window.app_state)
+    yield from of_hands(seen, window.app_state.lab.state)
     yield from of_the_run(seen, run)
     yield from of_the_instruments(seen)
     if any("no bench is open" in text.lower() for text in [*seen.texts, seen.side.legend.text()]):
@@ -184,6 +201,18 @@ def of_the_coils(seen):
         yield f"{asked.hands.text()!r} beside {seen.zero!r} and {stands!r}"
 
 
+def of_hands(seen, state):
+    """The heading over every page, the panel and the line below let hands in together, or not at all."""
+    words, mark = state.hands
+    if "not seen to stand yet" in seen.message and mark in MAY:
+        yield f"{words!r} beside {seen.message!r}"
+    if (mark in MAY) == bool(state.keep_off[0]) and words:
+        yield f"{words!r} beside {state.keep_off[0]!r} over every page"
+    signs = {one.partition("H")[0] for one in (words, state.keep_off[0]) if one and mark not in MAY}
+    if len(signs) > 1:
+        yield f"{words!r} beside {state.keep_off[0]!r}: two signs of one state"
+
+
 def of_ages(seen, app_state):
     """What is older than 2 s is grey and says how old it is; what is not does not."""
     side, now = seen.side, time.monotonic()
@@ -192,7 +221,7 @@ def of_ages(seen, app_state):
     asked_off = set(seen.currents) == {"–"}
     for cells, age, read_s in (
         (side.coils.values, side.coils_age, None if asked_off else coils_s),
-        (side.field.values[1:], side.field_age, known.field.read_s if known and not asked_off else None),
+        (side.field.values[1:], side.field_age, known.field.read_s if known else None),
     ):
         old = read_s is not None and module.time.monotonic() - read_s > 2.0
         for cell in cells:
@@ -300,11 +329,11 @@ def none_disagrees(drawn, states, monkeypatch):
 
 
 def test_every_state_is_drawn():
-    assert len(REACHED) == len(RUNS) * (7 * 4 * 3 + 1) == 1360
+    assert len(REACHED) == len(RUNS) * (7 * 4 * 3 + 1) == 1445
     short = [one for one in REACHED if of_one_guardian(one)]
     for pair in itertools.combinations(
         range(4), 2
     ):  # every pair of two parts' states, and all of run, coils, instruments
         assert {tuple(one[at] for at in pair) for one in short} == {tuple(one[at] for at in pair) for one in REACHED}
     assert {one[:3] for one in short} == {one[:3] for one in REACHED}
-    assert len(short) == len(RUNS) * (7 * 4 + 1) == 464
+    assert len(short) == len(RUNS) * (7 * 4 + 1) == 493

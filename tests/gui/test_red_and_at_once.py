@@ -97,7 +97,7 @@ def test_the_headline_of_a_fault_is_red_has_a_cross_and_is_no_smaller_than_what_
 def test_while_coils_are_on_the_reason_says_which_and_that_the_platform_turns(running):
     send(running, SegmentOpened(1.0, Segment("z+20uT", "rotation")))
     says(running, (0.0, 0.0, 1.133), platform=stands(moving=True))
-    assert hands(running) == ("▲ Hands off: coils on: z +1.133 A; platform turns", "HANDS OFF")
+    assert hands(running) == ("Hands off: coils on: z +1.133 A; platform turns", "HANDS OFF")
 
 
 def test_a_platform_that_is_not_heard_in_a_turn_is_the_headline_from_two_seconds_on(running):

@@ -218,6 +218,7 @@ def test_what_has_no_form_is_shown_as_it_came(german):
 def test_a_question_and_the_coils_are_told_in_german_and_answered_in_english(new_window, german):
     run, card = new_window.app_state.run, new_window.page("Run").live.prompt
     run.start(RunProcedure("preflight", "bench.toml"))
+    new_window.app_state.grow_old()
     new_window.app_state.bench_worker.items.emit((Prompt(1.0, "mount-x", MOUNT[0], ("done",), True),))
     assert card.text.text().startswith(MOUNT[1])
     assert "Y" in card.text.text()

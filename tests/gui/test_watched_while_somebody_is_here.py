@@ -49,7 +49,8 @@ def test_alone_it_stops_and_says_since_when(at_zero):
     said = at_zero.side.hands
     assert re.fullmatch(r"▲ Hands off: not read since \d\d:\d\d; move the mouse, and it is read again", said.text())
     assert said.property("state") == "off"
-    assert at_zero.side.keep_off.text() == ""  # no alarm
+    for heading in (at_zero.side.keep_off, at_zero.top.keep_off):  # no alarm, and no other word than below it
+        assert (heading.text(), heading.property("state")) == ("▲ Hands off", "off")
 
 
 @pytest.mark.parametrize("how", [QEvent.Type.MouseMove, QEvent.Type.MouseButtonPress])

@@ -13,7 +13,7 @@ import pytest
 
 from labcal.bench import open_bench
 from labcal.bench.clock import VirtualClock
-from labcal.bench.coils.state import LabState
+from labcal.bench.coils.state import LabState, Witness
 from labcal.record.stream import Item, Prompt
 from labcal.runner import awaited, drive, find, run_procedure
 from labcal.runner.control import Control
@@ -29,7 +29,7 @@ def test_coils_are_read_anew_and_the_field_shows_its_age(
 ) -> None:
     monkeypatch.setattr(awaited, "AGAIN_S", 0.1)
     monkeypatch.setattr(drive, "LISTEN_S", 0.05)
-    asked, field_old_s, coil_A = list[Prompt](), list[float](), set[float | None]()
+    asked, old_s, coil_A = list[Prompt](), list[tuple[float, ...]](), set[float | None]()
     clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
     with closing(open_bench(bench_file(), clock=clock, seed=2)) as lab, Store.open() as store:
 
@@ -42,13 +42,16 @@ def test_coils_are_read_anew_and_the_field_shows_its_age(
             return first_choice(prompt)
 
         def shown(state: LabState) -> None:
-            if len(asked) == 2 and state.field.read_s is not None:
-                field_old_s.append(time.monotonic() - state.field.read_s)
+            if len(asked) == 2:
+                heard_s = {one.name: one.heard_s for one in state.instruments}
+                read_s = (state.field.read_s, heard_s["reference"], heard_s["dut"])
+                old_s.append(tuple(time.monotonic() - at_s for at_s in read_s if at_s is not None))
             coil_A.add(state.coils[0].current_A)
 
         run_procedure(lab, find("rotate-axis"), TURN, store=store, answer=answer, show=shown)
     assert 0.00042 in coil_A
-    assert max(field_old_s) > THINKS_S / 2
+    assert len(old_s[-1]) == 3, old_s[-1]
+    assert min(map(max, zip(*old_s, strict=True))) > THINKS_S / 2, "the field and who streams"
 
 
 def test_a_field_of_the_ramp_is_not_shown_beside_coils_at_zero(
@@ -80,3 +83,18 @@ def test_a_field_of_the_ramp_is_not_shown_beside_coils_at_zero(
     assert paused
     assert seen, "a little of the bench's time passes for it"
     assert max(abs(one - ambient) for one in seen) < 40.0
+
+
+def test_a_zero_that_the_reference_saw_before_the_question_grows_old_as_its_field_does(
+    bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else it is green for as long as a person thinks, beside a field that is grey."""
+    with closing(open_bench(bench_file(), clock=VirtualClock(datetime(2026, 11, 21, tzinfo=UTC)), seed=2)) as lab:
+        lab.cage.check.witness = Witness("agrees", "", read_s=lab.clock.now())
+        waits = awaited.Awaited(lab)
+        now = time.monotonic()
+        monkeypatch.setattr(awaited.time, "monotonic", lambda: now + 60.0)
+        seen = waits.state()
+    assert seen.reference.read_s is not None
+    assert 59.0 < now + 60.0 - seen.reference.read_s < 61.0
+    assert "the reference agreed when it was last looked at" in seen.sentence(now + 60.0)

@@ -243,7 +243,7 @@ class LabState:
     def why_alone(self, now_s: float) -> str:
         """Why a zero rests on the supplies' word alone."""
         if self.reference.verdict == "agrees" and self.reference.read_s is not None:
-            return f"the reference agreed when it was last looked at, {now_s - self.reference.read_s:.0f} s ago"
+            return f"the reference agreed when it was last looked at, {ago(now_s - self.reference.read_s)}"
         age_s = 0.0 if self.reference.read_s is None else now_s - self.reference.read_s
         return self.reference.why + (f", {ago(age_s)}" if age_s >= 1 else "")
 

@@ -19,10 +19,10 @@ from labcal.gui.viewmodels.delays_left import delay_words
 from labcal.gui.viewmodels.failed_step import SHOWN, in_short
 from labcal.gui.viewmodels.lab_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
-from labcal.gui.viewmodels.off_headline import as_left, off_headline
+from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import keeps_a_turn, run_verdict, to_be_fitted
-from labcal.gui.viewmodels.what_happens import hands_at, headline_state, kept_out, what_happens
+from labcal.gui.viewmodels.what_happens import hands_at, headline_state, keep_off, kept_out, what_happens
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
@@ -279,7 +279,7 @@ class Live(QWidget):
         how = run_verdict(run, self._app_state.path.resumable, mended=bool(self._answer_again()))
         self.verdict.show_verdict(run.order.dut if run.order else "", how)
         now = self._app_state.lab.state.now
-        words, state = off_headline(as_left(now) if run.virtual_time else now) if run.by_off else ("", "")
+        words, state = off_headline(now) if run.by_off else ("", "")
         return self.verdict.say_off(words, state) if words else None
 
     def _show_details(self) -> None:
@@ -333,7 +333,7 @@ class Live(QWidget):
         self.waits_for.setText(translated(str(SHOWN)).format(", ".join(now.failed)) if now.failed else "")
         self.waits_for.setVisible(bool(now.failed) and self._goes_on)
         words, mark = hands_at(self._run, now)
-        self.prompt.say_lab(now, words if mark == OFF else "")
+        self.prompt.say_lab(now, words if mark == OFF else "", keep_off(self._run, now)[0])
         self.prompt.say_anew(anew=self._run.anew)
         self.prompt.say_lost(now.failed, self._lost_since.named(now))
         self.prompt.say_moved(self._run.moved.words(by_the_wall=not self._run.virtual_time))

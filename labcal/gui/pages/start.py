@@ -24,6 +24,7 @@ from labcal.gui.viewmodels.run_results import AT_ONCE, RunResults
 from labcal.gui.viewmodels.run_search import cells, local_time
 from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
+from labcal.gui.viewmodels.what_happens import in_shape
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
 from labcal.gui.widgets.flow import Flow
@@ -173,12 +174,13 @@ class StartPage(QWidget):
 
     def _enable(self) -> None:
         run, objection, facts = self._app_state.run, self._app_state.objection(), self._app_state.facts
+        lab = self._app_state.lab.state
         to = self._app_state.path.next()
         goes_on = self.tr("A run goes on: {0}, DUT {1}. See the Run page.")
         self.question.setText(
             (goes_on.format(run.order.procedure, run.order.dut) if run.alive and run.order else objection)
             or self._not_ready()
-            or "\n".join(filter(None, (left_words(self._app_state.lab.state.now), self._broken_off())))
+            or "\n".join(filter(None, (in_shape(left_words(lab.now), lab.keep_off[0]), self._broken_off())))
             or (
                 self.tr("Ready. {0} is to be measured on {1}.").format(
                     self._app_state.lab.state.dut_serial, "" if facts is None else facts.name

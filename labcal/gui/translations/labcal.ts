@@ -987,7 +987,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the reference agreed when it was last looked at, {0} s ago</source>
+        <source>the reference agreed when it was last looked at, {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10033,6 +10033,14 @@ after this step …</source>
     </message>
     <message>
         <source>Not read yet: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (last read {1})</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

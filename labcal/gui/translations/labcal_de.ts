@@ -987,8 +987,8 @@
         <translation>die Referenz wird nochmals angesehen: {0}</translation>
     </message>
     <message>
-        <source>the reference agreed when it was last looked at, {0} s ago</source>
-        <translation>die Referenz stimmte zu, als sie zuletzt angesehen wurde, vor {0} s</translation>
+        <source>the reference agreed when it was last looked at, {0}</source>
+        <translation>die Referenz stimmte zu, als sie zuletzt angesehen wurde, {0}</translation>
     </message>
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
@@ -10035,6 +10035,14 @@ diesem Schritt …</translation>
     <message>
         <source>Not read yet: {0}</source>
         <translation>Noch nicht gelesen: {0}</translation>
+    </message>
+    <message>
+        <source>{0} (last read {1})</source>
+        <translation>{0} (zuletzt gelesen {1})</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
+        <translation>SPULEN AUS wurde um {0} gedrückt; niemand hat es bestätigt</translation>
     </message>
     <message>
         <source>zero, its output open</source>

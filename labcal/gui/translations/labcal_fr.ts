@@ -987,8 +987,8 @@
         <translation>la référence est examinée de nouveau : {0}</translation>
     </message>
     <message>
-        <source>the reference agreed when it was last looked at, {0} s ago</source>
-        <translation>la référence concordait au dernier examen, il y a {0} s</translation>
+        <source>the reference agreed when it was last looked at, {0}</source>
+        <translation>la référence concordait au dernier examen, {0}</translation>
     </message>
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
@@ -10035,6 +10035,14 @@ cette étape …</translation>
     <message>
         <source>Not read yet: {0}</source>
         <translation>Pas encore lues : {0}</translation>
+    </message>
+    <message>
+        <source>{0} (last read {1})</source>
+        <translation>{0} (dernière lecture {1})</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
+        <translation>BOBINES À ZÉRO a été actionné à {0} ; personne ne l’a confirmé</translation>
     </message>
     <message>
         <source>zero, its output open</source>

@@ -62,7 +62,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "the reference repeats one reading"),
     QT_TRANSLATE_NOOP("Data", "the reference is looked at again: {0}, {1} s ago"),
     QT_TRANSLATE_NOOP("Data", "the reference is looked at again: {0}"),
-    QT_TRANSLATE_NOOP("Data", "the reference agreed when it was last looked at, {0} s ago"),
+    QT_TRANSLATE_NOOP("Data", "the reference agreed when it was last looked at, {0}"),
     QT_TRANSLATE_NOOP("Data", "it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed"),
     QT_TRANSLATE_NOOP("Data", "{0} UTC, {1}"),
     QT_TRANSLATE_NOOP(

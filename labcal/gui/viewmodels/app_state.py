@@ -32,7 +32,6 @@ from labcal.gui.viewmodels.handed_out import HandedOut
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import OFF, as_watched, reference_U
-from labcal.gui.viewmodels.lab_there import lab_there, platform_there
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.last_readings import LastReadings
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
@@ -41,6 +40,7 @@ from labcal.gui.viewmodels.named_serials import NamedSerials
 from labcal.gui.viewmodels.one_dut import OneDut
 from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
+from labcal.gui.viewmodels.platform_there import platform_there
 from labcal.gui.viewmodels.reference_again import seconded
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.run_order import run_order
@@ -339,11 +339,11 @@ class AppState(QObject):
         return platform_there(self.lab.state.now, self.facts)
 
     def hands(self) -> tuple[str, str]:
-        """Whether hands may go near now, in words, and the state that goes with it; simulated, by the coils alone."""
-        return hands_at(self.run, lab_there(self.lab.state.now, self.facts))
+        """Whether hands may go near now, in words, and the state that goes with it."""
+        return hands_at(self.run, self.lab.state.now)
 
     def _at_hands(self) -> dict[str, tuple[str, str]]:
-        return at_hands(self.run, lab_there(self.lab.state.now, self.facts), self.facts)
+        return at_hands(self.run, self.lab.state.now, self.facts)
 
     @property
     def known(self) -> state.LabState | None:
@@ -358,7 +358,7 @@ class AppState(QObject):
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive, by_s=self.watch.round.by_s)
-        now = self.off.earlier.seen_in(self.watch.seen_in(self.left.seen_in(known)))
+        now = self.off.seen_in(self.watch.seen_in(self.left.seen_in(known)))
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
         self.lab.update(**self._at_hands())
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:

@@ -7,9 +7,23 @@ from collections.abc import Sequence
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.lab_now import age_words
 
 BY_HAND = QT_TRANSLATE_NOOP("Words", "COILS OFF (F12), then switch off by hand: {0}")
 NOT_READ = QT_TRANSLATE_NOOP("Words", "Not read yet: {0}")
+
+LAST_READ = QT_TRANSLATE_NOOP("Words", "{0} (last read {1})")
+PRESSED = QT_TRANSLATE_NOOP("Words", "COILS OFF was pressed at {0}; nobody has confirmed it")
+
+
+def last_read(name: str, old_s: int) -> str:
+    """A supply that was read, and how long ago."""
+    return translated(str(LAST_READ)).format(name, age_words(old_s))
+
+
+def pressed_words(at: str) -> str:
+    """That COILS OFF was pressed `at` that time, and nothing came of it yet that anybody saw; "" where it was not."""
+    return translated(str(PRESSED)).format(at) if at else ""
 
 
 def by_hand_words(supplies: Sequence[str]) -> str:

@@ -23,7 +23,7 @@ from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_heard import looked_at, named_before, wrong
-from labcal.gui.viewmodels.lab_now import mark_of, off_words, platform_mark, platform_said
+from labcal.gui.viewmodels.lab_now import LabNow, mark_of, off_words, platform_mark, platform_said
 from labcal.gui.viewmodels.lab_off import how_it_ended, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
@@ -33,6 +33,7 @@ OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 STANDS_S = 30.0  # and where they are there this long to end: a large platform comes to rest, the reference is asked
 STOPS_S = 8.0  # a platform that no run has is seen to stand by then, where it can be reached
 READ_AFTER = ("coil-", "reference", "platform", "polarity")  # roles that tell, after a zero, whether hands may go in
+OF_SIMULATED = ("coil-", "platform")  # the same of a simulated bench
 
 
 class KnowsLab(Protocol):
@@ -87,6 +88,7 @@ class CoilsOff(QObject):
         self.unconfirmed: Fault | None = None
         self.turning: Fault | None = None
         self._in_run: Fault | None = None  # `unconfirmed`, where a run that goes on lost a supply
+        self.pressed = ""  # by the clock on the wall; "" once each coil was read back at zero since
         self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
@@ -99,6 +101,7 @@ class CoilsOff(QObject):
         """Every coil to zero now. A run that does not get there itself is ended, and switched off."""
         window, self._ordered_s, self._looked = self._window, time.monotonic(), False
         self._off_s = self._ordered_s
+        self.pressed = time.strftime("%H:%M:%S") if window.bench else ""
         window.watch.stop()
         window.kept.order(window.now_s())
         if window.run.alive:
@@ -146,6 +149,7 @@ class CoilsOff(QObject):
             report = off_words(words, window.lab.state.now.platform_words, later=later)
             self._report = (words, report) if later else None
             window.lab.update(message=report)
+            window.grow_old()  # what the line says holds for hands at the same moment
         if said.doubt and zero:
             self.look_again()
         elif zero:
@@ -153,16 +157,19 @@ class CoilsOff(QObject):
 
     def read_again(self) -> None:
         """What tells whether hands may go in, now that the supplies are at zero: the reference is asked as well."""
-        facts = self._window.facts
-        if facts is not None and not facts.virtual_time:  # emulated: gone with the run
-            self._window.watch.read_again(self.tellers())
+        self._window.watch.read_again(self.tellers())
 
     def tellers(self) -> tuple[str, ...]:
-        """Who tells how coils and platform are; on a simulated bench, which has no other platform, the coils."""
+        """Who tells how coils and platform are; the reference of another simulated lab tells nothing of a coil."""
         facts = self._window.facts
-        roles = READ_AFTER[:1] if facts is not None and facts.virtual_time else READ_AFTER
+        roles = OF_SIMULATED if facts is not None and facts.virtual_time else READ_AFTER
         instruments = {} if facts is None else facts.instruments
         return tuple(name for name, one in instruments.items() if one.role.startswith(roles))
+
+    def seen_in(self, now: LabNow) -> LabNow:
+        """The lab, with a platform that was told to stop and was not seen to stand since: the line below says so."""
+        to_be_seen = self._report is not None and not self._window.run.alive
+        return replace(self.earlier.seen_in(now), stop_unseen=to_be_seen)
 
     def to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
@@ -226,6 +233,8 @@ class CoilsOff(QObject):
 
     def look_at_platform(self) -> None:
         """One that nobody has seen to stand since it was stopped is a card of its own, until somebody has."""
+        if self._window.kept.ordered_s is None and self._window.lab.state.now.coils_at_zero:
+            self.pressed = ""
         self._look_at_coils()
         known, facts = self._window.known, self._window.facts
         mark = platform_mark(self._window.lab.state.now.platform_words)[1]
@@ -281,6 +290,7 @@ class CoilsOff(QObject):
     def forget(self) -> None:
         """Of another bench nothing was said."""
         self.unconfirmed = self.turning = self._off_s = self._report = None
+        self.pressed = ""
         self.earlier.take(())
 
     def _failed(self, fault: Fault) -> None:

@@ -84,6 +84,24 @@ def _beyond(
     return ((x, y, z), read_s) if np.hypot(np.hypot(x, y), z) > least_nT else None
 
 
+class SaidLast:
+    """What the reference was seen to see more than with the coils off: it stands until that is read again."""
+
+    def __init__(self) -> None:
+        self._more: tuple[state.Vector, float] | None = None
+
+    def take(
+        self, more: tuple[state.Vector, float] | None, known: state.LabState, *, moved: bool
+    ) -> tuple[state.Vector, float] | None:
+        """`more`, as it is seen now; or what was, while a coil is silent and a reference not `moved` is not read."""
+        before = self._more
+        if more is None and before is not None and silent(known) and not moved:
+            reads = (known.field.read_s if known.field.seen_nT is not None else None, known.reference.read_s)
+            more = before if all(read_s is None or read_s < before[1] for read_s in reads) else None
+        self._more = more
+        return more
+
+
 def silent(known: state.LabState) -> bool:
     """Whether a coil could not be read."""
     return any(coil.current_A is None and coil.fault for coil in known.coils)
@@ -99,5 +117,5 @@ def field_says(now: LabNow) -> str:
     most = max(range(3), key=[abs(one) for one in more].__getitem__)
     more_nT = more[most]
     said = f"{more_nT / 1000:+.{0 if abs(more_nT) >= 1e4 else 1}f}".replace("-", "−")
-    words = STILL_ON if now.coil_words.startswith(state.NOT_CONFIRMED) else SEES_MORE
+    words = STILL_ON if now.coil_words.startswith((state.NOT_CONFIRMED, state.NOT_SINCE)) else SEES_MORE
     return translated(str(words)).format(said, "xyz"[most], age_words(now.field_more_old_s))

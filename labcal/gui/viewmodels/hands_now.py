@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
@@ -14,6 +12,7 @@ from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.lab_now import (
     LOOK_S,
     OFF,
+    STOP_UNSEEN,
     WATCHED_S,
     LabNow,
     age_words,
@@ -24,7 +23,6 @@ from labcal.gui.viewmodels.lab_now import (
 
 ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
 MAY = "good", ALONE  # the states of a yes
-PLACES = re.compile(r"(\.\d{3})\d+(?= A)")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read yet"),
@@ -67,9 +65,9 @@ def reasons(coil_words: str, platform_words: str) -> list[str]:
 
 
 def _of_coils(coil_words: str) -> str:
-    """Currents in the places that the panel has; of the rest what it is, without the figures."""
+    """The currents; of the rest what it is, without the figures."""
     if coil_words.startswith(state.ON):
-        return in_words(PLACES.sub(r"\1", coil_words.partition(", read back ")[0]))
+        return in_words(coil_words.partition(", read back ")[0])
     return in_words(coil_words.partition(";")[0].partition(":")[0])
 
 
@@ -83,14 +81,15 @@ def left_words(now: LabNow) -> str:
 
 
 def hands_of(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age.
+    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age, in amber.
 
     Who gives no answer when it is looked at lets nobody in by what it said before. "bad" where a reason is known, which
     is as loud at rest as in a run; `OFF` where nobody has looked.
     """
     if left := left_words(now):
         return left, "bad"
-    first = [*filter(None, (now.closed_with, now.earlier_on, field_says(now)))]  # whatever a supply says, or does not
+    to_stop = translated(str(STOP_UNSEEN)) if now.stop_unseen and _rests(now.platform_words) else ""
+    first = [*filter(None, (now.closed_with, now.earlier_on, field_says(now), to_stop))]  # whatever a supply says
     if first:
         why = [*first, *reasons(now.coil_words or state.NOT_READ, now.platform_words)]
         return translated("▲ Hands off: {0}").format("; ".join(why)), "bad"
@@ -105,10 +104,15 @@ def hands_of(now: LabNow) -> tuple[str, str]:
     return said, mark
 
 
+def _rests(platform_words: str) -> bool:
+    """As it was read last, however long ago."""
+    return platform_mark(platform_words)[1] in ("", "good", "old")
+
+
 def _hands_by_age(now: LabNow) -> tuple[str, str]:
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
-    stands = platform_mark(now.platform_words)[1] in ("", "good", "old")
+    stands = _rests(now.platform_words)
     age_s = watched_age_s(now)
     if zero and now.coils_late:  # whoever has to wait for their answer is not read either
         return hands_words(state.WAS_ZERO, now.platform_words.partition(",")[0] if stands else now.platform_words)
@@ -118,5 +122,7 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
     words, mark = hands_words(watched.coil_words, watched.platform_words)
     if age_s <= LOOK_S:  # the next look is on time: an age that came and went each time would say nothing
         return words, mark
+    if mark == "good":  # what is as old as that is green nowhere
+        words, mark = words.replace("✓", "●", 1), ALONE
     said, apart, why = words.partition("; ")
     return f"{said}, {age_words(age_s)}{apart}{why}", mark

@@ -11,7 +11,8 @@ from dataclasses import replace
 from labcal.bench.coils import state
 from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED
 from labcal.gui.ipc.bench_facts import Bench
-from labcal.gui.viewmodels.field_witness import Off, more_than_off, off_as_measured
+from labcal.gui.viewmodels.by_hand import last_read
+from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
@@ -35,7 +36,7 @@ class KnownLab:
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
         self._lost_s: float | None = None  # since when a supply gives no answer
-        self._last = LastCurrents()
+        self._last, self._said = LastCurrents(), SaidLast()
         self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
     def take(self, known: state.LabState, now_s: float) -> None:
@@ -105,7 +106,8 @@ class KnownLab:
             return self.missed()
         if not self.asked:
             return self.state
-        return replace(self.state or state.LabState(()), coils=state.unread(), field=state.FieldReading())
+        known = self.state or state.LabState(())
+        return replace(known, coils=state.unread(), field=replace(known.field, set_nT=None, changing=False))
 
     def now(self, facts: Bench | None, now_s: float, *, driven: bool, by_s: float = math.inf) -> LabNow:
         """What may be said at `now_s`; `driven`: by a run of this window. `by_s`: else coils are read again so soon."""
@@ -114,15 +116,23 @@ class KnownLab:
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts))
-        if known is not None and (more := more_than_off(known, facts, self.off(facts, now_s))) is not None:
+        if known is not None and (more := self._field_more(known, facts, now_s)) is not None:
             now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run
             now = replace(now, left_turning=known.platform.moving is True)
-        if known is None and (driven or not by_run):
+        if known is None and (driven or facts is not None):
             now = replace(now, coil_words=state.NOT_YET if driven else state.NOT_READ)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
+
+    def _field_more(
+        self, known: state.LabState, facts: Bench | None, now_s: float
+    ) -> tuple[state.Vector, float] | None:
+        """What the reference sees [nT, C] more than with the coils off, and when that was read."""
+        before = self.state if self.asked and not self.late(facts, now_s) else None  # not read since
+        off, seen = self.off(facts, now_s), before or known
+        return self._said.take(more_than_off(seen, facts, off), seen, moved=off is None)
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
         """The supplies that a person switches off, by name: those that gave no answer, or are on; else all.
@@ -144,10 +154,11 @@ class KnownLab:
         return tuple(name for axis, name in named.items() if axis in on)
 
     def not_read(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
-        """The other supplies that nobody has read for so long that it says nothing of now, by name."""
+        """The other supplies that nobody has read for so long that it says nothing of now, each with how long ago."""
         known, by_hand = self.state or state.LabState(()), self.by_hand(facts, now_s)
-        old = {coil.axis for coil in known.coils if coil.read_s is None or now_s - coil.read_s > WATCHED_S}
-        return tuple(name for axis, name in supplies(facts).items() if axis in old and name not in by_hand)
+        old = {c.axis: c.read_s for c in known.coils if c.read_s is None or now_s - c.read_s > WATCHED_S}
+        left = ((old[axis], name) for axis, name in supplies(facts).items() if axis in old and name not in by_hand)
+        return tuple(name if read_s is None else last_read(name, int(now_s - read_s)) for read_s, name in left)
 
     def _goes_to_zero(self, coil: state.CoilReading, now_s: float) -> bool:
         """Whether it may be on its way still: since zero was ordered, or by the run that lost another supply."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -34,10 +35,12 @@ BY_KEY = QT_TRANSLATE_NOOP(
     "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
     "its controller",
 )
+STOP_UNSEEN = QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet")
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are looked at more often), and its answer
 WATCHED_S = LOOK_S + LONGEST_ANSWER_S  # whole seconds: so old may be what lets hands in, with its age; then it is amber
 HOMES_S = 10  # so long a platform that a run turns may look for its zero unread
 LONG_AGO_S = 1800  # a zero that was read longer ago is to be read again before anybody relies on it
+CURRENT, PLACES = re.compile(r"[+-]\d+\.\d+(?= A\b)"), 3
 OFF = "off"  # the state of what keeps hands off where nothing is known to be wrong; where something is, it is "bad"
 TELLERS = ("coil-", "polarity", "reference", "platform")  # roles that tell how coils and platform are
 WITH_COILS = ("polarity", "interlock")  # heard by a run whenever the coils are
@@ -55,7 +58,7 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "COILS OFF done {0}: {1}"),
     QT_TRANSLATE_NOOP("Words", "stop it at its controller, and see it stand"),
     BY_KEY,
-    QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet"),
+    STOP_UNSEEN,
     QT_TRANSLATE_NOOP("Words", "platform turning"),
     QT_TRANSLATE_NOOP("Words", "platform may turn"),
 )
@@ -83,6 +86,7 @@ class LabNow:
     platform_words: str = ""
     platform_deg: float | None = None  # as it was read last; None where it is not known
     platform_old_s: int | None = None
+    stop_unseen: bool = False  # it was told to stop, and nobody has seen it stand since
     left_turning: bool = False  # so it was read last, and no run of this window stops it
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
@@ -152,7 +156,7 @@ def lab_now(
     return LabNow(
         coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
-        coil_words=lab.sentence(now_s, time.time() - time.monotonic() + now_s),
+        coil_words=in_places(lab.sentence(now_s, time.time() - time.monotonic() + now_s)),
         coils_late=known and not driven and lab.age_s(now_s) > coils_by_s,
         coils_at_zero=lab.at_zero(now_s),
         alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
@@ -175,6 +179,11 @@ def lab_now(
         coils_lost=any(role.startswith("coil-") for role in lost),
         platform_lost="platform" in lost,
     )
+
+
+def in_places(coil_words: str) -> str:
+    """The same with each current in the places that the panel has."""
+    return CURRENT.sub(lambda found: f"{float(found[0]):+.{PLACES}f}", coil_words)
 
 
 def _currents(lab: state.LabState, lost: set[str]) -> tuple[float | None, float | None, float | None]:
@@ -297,7 +306,7 @@ def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
 
     `later`: it was told to stop, and is looked at again.
     """
-    stands = translated("the platform was ordered to stop, and is not seen to stand yet") if later else ""
+    stands = translated(str(STOP_UNSEEN)) if later else ""
     said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
     return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import LabNow, age_words, as_watched, mark_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow, age_words, as_watched, mark_of, platform_mark, watched_age_s
 
 OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
 SEEN = QT_TRANSLATE_NOOP("Words", "the reference agreed {0}")
@@ -23,7 +21,8 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     Green as long as everybody it speaks of answers, and is read again and again; what is older has its age and
     another colour, as every other value. How old the rest is, the side panel says.
     """
-    now = as_watched(now)
+    late = not now.driven and watched_age_s(now) > LOOK_S
+    now = now if late else as_watched(now)
     if not now.coil_words:
         return "", ""
     if now.coils_at_zero is False:
@@ -45,9 +44,3 @@ def _seen_before(now: LabNow) -> bool:
     """Whether the supplies alone have been read since the reference agreed."""
     old = now.reference_agreed and now.reference_old_s is not None
     return old and now.coil_words.startswith(state.BY_WORD)
-
-
-def as_left(now: LabNow) -> LabNow:
-    """An emulated platform is no more once its run is over, and is read no more: it stands as it did then."""
-    stood = platform_mark(now.platform_words)[1] == "old"
-    return replace(now, platform_words=now.platform_words.partition(",")[0], platform_old_s=None) if stood else now

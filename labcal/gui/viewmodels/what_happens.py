@@ -72,7 +72,7 @@ def is_wrong(run: RunViewModel, now: LabNow) -> bool:
     """Whether hands have to be off for what nobody planned: else a run does as it was told to."""
     unasked = now.coil_words.startswith(state.ON) or platform_mark(now.platform_words)[1] == "warning"
     unasked = unasked and not (run.alive or now.driven_elsewhere)
-    left = now.closed_with or now.earlier_on or (now.left_by and not now.driven_elsewhere)
+    left = now.closed_with or now.earlier_on or now.stop_unseen or (now.left_by and not now.driven_elsewhere)
     known = alarm_of(now.coil_words) or platform_mark(now.platform_words)[1] == "bad" or now.failed or field_says(now)
     return bool(unasked or left or known or now.coils_lost or now.platform_lost)
 
@@ -105,8 +105,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     mark = hands_of(known)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return _off(run, now)
-    unread = now.coil_words == state.NOT_READ or CHANGED in now.coil_words or (run.alive and run.unread)
-    out = unread or asked_out(run, now) or (run.alive and mark not in MAY)
+    out = asked_out(run, now) or (run.alive and run.unread) or mark not in MAY
     return (translated(str(OUT)), OFF) if out else ("", "")
 
 
@@ -161,8 +160,21 @@ def at_hands(run: RunViewModel, now: LabNow, facts: Bench | None) -> dict[str, t
     return {"keep_off": keep_off(run, now), "hands": hands_at(run, now) if there else ("", "")}
 
 
+def in_shape(words: str, heading: str) -> str:
+    """A no in `words` with the sign of the `heading` over every page: one state has one sign, wherever it is said."""
+    quiet = translated(str(OUT)).partition(" ")[0] + " "
+    loud = bool(words) and translated(str(KEEP)) in heading
+    return heading.partition(translated(str(KEEP)))[0] + words.removeprefix(quiet) if loud else words
+
+
 def hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
-    """Whether they may go in, and why not: what is known first, then what comes unasked."""
+    """Whether they may go in, and why not, with the sign that the heading has."""
+    words, mark = _hands_at(run, now)
+    return (words if mark in MAY else in_shape(words, keep_off(run, now)[0])), mark
+
+
+def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
+    """What is known first, then what comes unasked."""
     promised = run.hands_off and run.state not in ("asking", "paused")
     words, mark = hands_of(replace(now, coil_words=state.NOT_READ) if begins(run, now) else now)
     if mark != "bad" and run.alive and (promised or run.segment is not None):

@@ -27,6 +27,10 @@ class LabLines(QWidget):
         marks = mark_of(coil_words), platform_drawn(platform_words, coil_words)
         said = zip((self.coils, self.platform), (coil_words, platform_words), marks, strict=True)
         for line, words, (shape, mark) in said:
-            line.setText(f"{shape} {in_words(words)}".strip())
+            text = f"{shape} {in_words(words)}".strip()
+            anew = text != line.text()
+            line.setText(text)
             line.setVisible(bool(words))
             set_state(line, mark)
+            if anew:
+                line.repaint()  # at once: a dialog is drawn after its window, which said another thing for so long

@@ -25,6 +25,7 @@ from labcal.gui.viewmodels.lab_now import OFF, LabNow, age_words, as_watched, ma
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
+from labcal.gui.viewmodels.what_happens import in_shape
 from labcal.gui.widgets.answer_words import MOUNTING, WORDS, answer_label, unbroken
 from labcal.gui.widgets.camera_view import CameraView
 from labcal.gui.widgets.common import button, label, named, plain, set_state
@@ -203,8 +204,11 @@ class PromptCard(UncutCard):
         if self._prompt is not None and SERIAL in self._prompt.drawing:
             self.entry.setFocus()
 
-    def say_lab(self, now: LabNow, out: str = "") -> None:
-        """What coils and platform do while hands may be near, as the side panel says it; `out`: they go out now."""
+    def say_lab(self, now: LabNow, out: str = "", heading: str = "") -> None:
+        """What coils and platform do while hands may be near, as the side panel says it; `out`: they go out now.
+
+        `heading`: what stands over every page.
+        """
         seen = as_watched(now)  # one word at one moment: what lets hands in is not "not watched" below it
         coil_words, platform_words = seen.coil_words, seen.platform_words
         self.drawing.show_platform(now.platform_deg, age_words(now.platform_old_s))
@@ -217,7 +221,7 @@ class PromptCard(UncutCard):
             set_state(place, mark)
         words, mark = hands_of(now)
         words, mark = (out, OFF) if out and mark in MAY else (words, mark)
-        self.hands.setText(words)
+        self.hands.setText(words if mark in MAY else in_shape(words, heading))
         set_state(self.hands, mark)
         self._first = first_thing(now)
         whole = in_words(coil_words) in words or mark in MAY
