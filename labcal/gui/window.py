@@ -305,6 +305,8 @@ class Window(Frame):
             return field.setFocus(Qt.FocusReason.TabFocusReason)  # it is in sight: the page stays, with what is on it
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
+        elif callable(close_ended := getattr(self.lazy_pages[to.page].page, "close_ended", None)):
+            close_ended()  # what is chosen may begin, and its form comes into sight
         at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
         for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
