@@ -23,9 +23,10 @@ class RunPage(QWidget):
         self._app_state = app_state
         self.choose = Choose(app_state)
         self.faces = FaceStack()
+        self.choose.setContentsMargins(0, 0, 2 * GRID, 0)
         self.faces.addWidget(self.choose)
         column = QVBoxLayout(self)
-        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 0, 2 * GRID)  # at the right each face has its own
         column.addWidget(self.faces)
         app_state.procedure_requested.connect(self._open_wanted)
         self._open_wanted()

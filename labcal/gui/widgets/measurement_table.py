@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
-from labcal.gui.widgets.common import plain, tabular_font
+from labcal.gui.widgets.common import Card, plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
@@ -218,3 +218,13 @@ class Measurements(Table):
         self.set_cell(row, 4, short_number(one.limit), right=True)
         shape, state = STATES.get(one.verdict, ("", "text"))
         self.set_cell(row, 5, f"{shape} {translated(one.verdict)}".strip() or "–", colour=getattr(self._theme, state))
+
+
+class MeasuredCard(Card):
+    """The table alone on a card, a few rows of it always in sight."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self.table = Measurements(theme)
+        self.table.setMinimumHeight(14 * GRID)
+        self.body.addWidget(self.table)

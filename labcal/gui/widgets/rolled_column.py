@@ -1,21 +1,16 @@
-"""A column of figures that rolls where there is no room: its bar stands beside them, and no row is cut in two."""
+"""A column of figures that rolls where there is no room: no row is cut in two."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QPoint
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QLabel, QLayout
+from PySide6.QtWidgets import QLabel
 
-from labcal.gui.theming.theme import GRID
-from labcal.gui.widgets.rolled import Rolled
+from labcal.gui.widgets.bar_in_margin import BarInMargin
 
 
-class RolledColumn(Rolled):
-    """`margin` [px] is kept at the right, and the bar stands in that: figures do not move as it comes and goes."""
-
-    def __init__(self, layout: QLayout, margin: int) -> None:
-        self._margin = margin
-        super().__init__(layout, least=GRID, beside_bar=margin)
+class RolledColumn(BarInMargin):
+    """Ends, before it is rolled, above the row that would be halved."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Other rows may have come to the end of what is in sight."""
@@ -25,14 +20,9 @@ class RolledColumn(Rolled):
         return taken
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """The bar has come or gone: what it takes is taken from the margin."""
+        """Another height: another row at its end."""
         super().resizeEvent(event)
-        if (layout := self._holder.layout()) is not None:
-            layout.setContentsMargins(0, 0, max(0, self._margin - self._bar_width()), 0)
         self._end_with_a_row()
-
-    def _bar_width(self) -> int:
-        return self.width() - self.viewport().width()
 
     def _end_with_a_row(self) -> None:
         """What is in sight before it is rolled ends above the row that would be halved."""
