@@ -317,12 +317,7 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
-        field, caught = self.scanner.caught
-        self.scan_card.catch(field, caught)
-        self.app_state.scan(text)
-        if field is not None and not self.app_state.run.alive and self.app_state.serial_objection(text):
-            field.insert(caught)  # it is no serial: quick fingers may have typed it there
-        return None
+        return self.scan_card.hear(self.app_state, self.scanner, text)
 
     def _show_login(self) -> None:
         """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""
