@@ -1,9 +1,11 @@
 """Note, Pause and Stop of a run are in sight whatever is said above them; and what is measured is no coin."""
 
+from dataclasses import replace
+
 import pytest
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QApplication
-from test_nothing_is_cut import measuring, settle
+from test_nothing_is_cut import WORST, begun, measuring, settle
 
 from labcal.gui.ipc.wire import Fault
 
@@ -51,3 +53,17 @@ def test_what_is_measured_gives_way_to_the_pictures_below_such_a_card(alarmed):
     alarmed.fault.close_card.click()
     alarmed.app_state.lab.update(message="")
     assert live.below.isVisible()
+
+
+@pytest.mark.parametrize("high", range(700, 900, 20))
+def test_the_last_row_in_sight_of_what_was_measured_is_a_whole_one(new_window, high):
+    many = [replace(WORST, name=f"closure {n}") for n in range(12)]
+    begun(new_window, *many)
+    new_window.open_page("Run")
+    new_window.resize(1360, high)
+    settle(new_window)
+    table = new_window.page("Run").live.table
+    end = table.viewport().height()
+    rows = [(table.rowViewportPosition(row), table.rowHeight(row)) for row in range(table.rowCount())]
+    assert sum(top < end for top, _ in rows) >= 2
+    assert [top for top, height in rows if top < end < top + height - 1] == []

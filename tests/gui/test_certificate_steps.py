@@ -358,11 +358,14 @@ def test_the_page_stays_where_it_is_as_its_file_is_signed(qtbot, page, new_windo
     assert area.verticalScrollBar().value() <= before
 
 
-def test_what_a_step_says_is_not_said_twice(page):
-    told(page, APPROVED, "a.smith")
-    page.steps._said(page.steps.approval, "Approved by a.smith.", None)
+def test_what_a_step_says_is_not_said_twice(qtbot, page):
+    told(page, DRAFT, "a.smith")
+    qtbot.mouseClick(page.steps.approve, Qt.MouseButton.LeftButton)
+    page._app_state.quick_worker.asked[-1].then(APPROVED)
+    settle()
     assert page.steps.approval.words.text() == "Approved by a.smith."
-    assert page.steps.approval.done.text() == ""
+    assert page.steps.approval.words.isVisible()
+    assert not page.steps.approval.done.isVisible()
 
 
 @pytest.mark.parametrize("there", [True, False])

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pytest
+from test_nothing_is_cut import other_language as other_language
 from test_path import RUN, calibration
 
 from labcal.gui.ipc.answers import Ended
@@ -81,3 +82,12 @@ def test_next_begins_by_closing_the_run_that_has_ended(still, status):
     assert page.faces.currentWidget() is page.choose
     assert page.choose.list.currentItem().text() == "rotate-axis"
     assert still.focusWidget() is page.choose.start
+
+
+@pytest.mark.parametrize("other_language", ["de"], indirect=True)
+def test_next_says_no_word_twice(other_language, new_window):
+    """It read "Weiter: Weiter mit EM-08"."""
+    new_window.say_next("Weiter mit EM-08")
+    assert new_window.next.text() == "Weiter mit EM-08"
+    new_window.say_next("Messung auswerten")
+    assert new_window.next.text() == "Weiter: Messung auswerten"

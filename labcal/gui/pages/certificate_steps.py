@@ -287,7 +287,7 @@ class SigningSteps(StepRow):
     def _said(self, card: StepCard, words: str, one: CalibrationFile | None) -> None:
         """What was done, in the card of its own step."""
         for each in (self.key, self.approval, self.signature):
-            each.say_done(words if each is card and words != each.words.text() else "")
+            each.say_done(words if each is card else "")
         self._done(words, one)
 
     def _ask(self, command: Command[R], card: StepCard, entry: QWidget, then: Callable[[R], object]) -> None:

@@ -288,10 +288,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a bench file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A bench file (.toml): what stands in the lab, on which lines</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7771,6 +7767,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Choose who signs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the passphrase first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} Sign it all the same?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7848,10 +7852,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What stands in this lab: the Bench page</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Looking into the store.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7901,6 +7901,10 @@ after this step …</source>
     </message>
     <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of what stands in this lab</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9752,6 +9756,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Estimates on the way: 1 note; no verdict rests on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10085,6 +10093,10 @@ after this step …</source>
     </message>
     <message>
         <source>Another person approves, you sign, and it is handed out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

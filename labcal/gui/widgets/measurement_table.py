@@ -17,6 +17,7 @@ from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
 NAME_PADDING_PX = 26  # of a cell by the style sheet, and what Qt keeps beside it
+QWIDGETSIZE_MAX = 16_777_215  # Qt's word for no limit
 FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
@@ -226,5 +227,23 @@ class MeasuredCard(Card):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self.table = Measurements(theme)
-        self.table.setMinimumHeight(14 * GRID)
-        self.body.addWidget(self.table)
+        self.setMinimumHeight(18 * GRID)
+        self.body.addWidget(self.table, 1)
+        self.body.addStretch()
+        self.table.verticalHeader().geometriesChanged.connect(self._end_with_a_row)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """As many rows as there is room for."""
+        super().resizeEvent(event)
+        self._end_with_a_row()
+
+    def _end_with_a_row(self) -> None:
+        """The last row in sight is a whole one."""
+        table, margins = self.table, self.layout()
+        around = 0 if margins is None else margins.contentsMargins().top() + margins.contentsMargins().bottom()
+        bar = table.horizontalScrollBar()
+        high = table.horizontalHeader().height() + 2 * table.frameWidth() + (bar.height() if bar.isVisible() else 0)
+        room, row = self.height() - around, 0
+        while row < table.rowCount() and high + table.rowHeight(row) <= room:
+            high, row = high + table.rowHeight(row), row + 1
+        table.setMaximumHeight(high if row < table.rowCount() else QWIDGETSIZE_MAX)

@@ -88,7 +88,8 @@ class StepCard(Card):
         self.button.setVisible(not self.folded)  # asked each time: what is hidden may lay the row out anew meanwhile
         self.rules.setVisible(self.now and bool(self.rules.text()))
         self.words.setVisible(bool(self.words.text()) and not self._over)
-        self.done.setVisible(bool(self.done.text()) and not self._over)
+        again = self.done.text() == self.words.text()
+        self.done.setVisible(bool(self.done.text()) and not again and not self._over)
         for part in self.while_open:
             part.setVisible(bool(part.text()) and not self._over)
         self.setToolTip(self.words.text() if self._over else "")
