@@ -29,9 +29,10 @@ from labcal.gui.viewmodels.number_format import format_field, format_number
 from labcal.gui.widgets.by_itself import ShownPart, cannot_be_shown
 from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
 from labcal.gui.widgets.flow import Flow
-from labcal.gui.widgets.rolled import Rolled
+from labcal.gui.widgets.rolled_column import RolledColumn
 
 UNITS = ("nT", "µT", "mG")
+MARGIN = 2 * GRID  # at both sides; at the right the bar of what rolls stands in it
 SET, MEASURED, U, AXES = 0, 1, 2, 3  # rows of the field
 
 
@@ -40,7 +41,7 @@ class PanelGroup(QWidget):
 
     def __init__(self, title: str, *beside: QWidget) -> None:
         super().__init__()
-        self.age, self.body = label("", "caption"), QVBoxLayout(self)
+        self.age, self.body = label("", "caption", wrap=True), QVBoxLayout(self)
         self.age.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.age.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self.body.setContentsMargins(0, 0, 0, 0)
@@ -59,14 +60,18 @@ class InstrumentRow(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.mark, self.name, self.age = label(), WholeWords(), label("", "caption")
-        row = QHBoxLayout(self)
+        self.mark, self.name, self.age = label(), WholeWords(), label("", "caption", wrap=True)
+        self.back = label("", "caption", wrap=True)
+        row, said = QHBoxLayout(self), QVBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(GRID // 2)
         row.addWidget(self.mark, 0, Qt.AlignmentFlag.AlignTop)
         self.name.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.name.setAlignment(Qt.AlignmentFlag.AlignTop)
-        row.addLayout(Flow(self.name, self.age), 1)  # the age below, where there is no room for it
+        said.addLayout(Flow(self.name, self.age))  # the age below, where there is no room for it
+        said.addWidget(self.back)  # never beside: it would be wider than the column
+        said.setSpacing(0)
+        row.addLayout(said, 1)
 
     def show_light(self, shape: str, colour: str, name: str, words: str, *, aged: bool, alone: bool, back: str) -> None:
         """`aged`: its `words` are its age, said here where it stands `alone` with that; `back`: it was out meanwhile.
@@ -74,8 +79,10 @@ class InstrumentRow(QWidget):
         Who answers has its mark alone: what is wrong, or not of now, stands out.
         """
         self.mark.setText(shape)
-        self.age.setText(", ".join(filter(None, (words if aged and alone else "", back))))
-        self.age.setVisible(bool(self.age.text()))
+        for place, what in ((self.age, words if aged and alone else ""), (self.back, back)):
+            place.setText(what)
+            place.setVisible(bool(what))
+        self.back.setToolTip(back)
         self.name.say(f"{shape} {name}  {words}".strip(), name if aged else f"{name}  {words}".strip())
         set_state(self.mark, colour)
         set_state(self.name, "" if colour == "good" else colour)
@@ -89,7 +96,7 @@ class SidePanel(Surface):
     def __init__(self) -> None:
         super().__init__(Qt.Edge.LeftEdge)
         column = QVBoxLayout(self)
-        column.setContentsMargins(2 * GRID, 3 * GRID // 2, 2 * GRID, GRID)
+        column.setContentsMargins(MARGIN, 3 * GRID // 2, 0, GRID)
         column.setSpacing(3 * GRID // 2)
         self.unit = named(QPushButton("nT"), "small")
         self.unit.setToolTip(self.tr("Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs."))
@@ -113,6 +120,7 @@ class SidePanel(Surface):
         stands.addWidget(self.angle)
         self.platform_group.body.addLayout(stands)
         self.coils_age, self.field_age = coils.age, field.age
+        coils.body.setContentsMargins(0, 0, MARGIN, 0)
         column.addWidget(self._hands())
         column.addWidget(coils)
         column.addWidget(self._rolling(field, self.platform_group), 1)
@@ -130,13 +138,13 @@ class SidePanel(Surface):
         self.may_go_in, self.hands, self.zero_words = label("", "title", wrap=True), WholeWords(), label("", wrap=True)
         self.hands_group = QWidget()
         column = QVBoxLayout(self.hands_group)
-        column.setContentsMargins(0, 0, 0, 0)
+        column.setContentsMargins(0, 0, MARGIN, 0)
         column.setSpacing(GRID // 2)
         for said in (self.keep_off, self.may_go_in, self.hands, self.zero_words):
             column.addWidget(said)
         return self.hands_group
 
-    def _rolling(self, *groups: QWidget) -> Rolled:
+    def _rolling(self, *groups: QWidget) -> RolledColumn:
         """These and who answers. In a low window they roll, so that what is said of hands and coils is always whole."""
         self.legend = label("", "caption", wrap=True)
         title = label(self.tr("INSTRUMENTS"), "caption")
@@ -152,7 +160,7 @@ class SidePanel(Surface):
         column.addWidget(self.legend)
         column.addLayout(self._lights)
         column.addStretch()
-        return Rolled(column, least=GRID, beside_bar=0)
+        return RolledColumn(column, MARGIN)
 
     def _next_unit(self) -> None:
         self.unit_asked.emit(UNITS[(UNITS.index(self.unit.text()) + 1) % len(UNITS)])

@@ -307,6 +307,8 @@ class Window(Frame):
             return field.setFocus(Qt.FocusReason.TabFocusReason)  # it is in sight: the page stays, with what is on it
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
+        elif callable(close_ended := getattr(self.lazy_pages[to.page].page, "close_ended", None)):
+            close_ended()  # what is chosen may begin, and its form comes into sight
         at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
         for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
@@ -317,12 +319,7 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
-        field, caught = self.scanner.caught
-        self.scan_card.catch(field, caught)
-        self.app_state.scan(text)
-        if field is not None and not self.app_state.run.alive and self.app_state.serial_objection(text):
-            field.insert(caught)  # it is no serial: quick fingers may have typed it there
-        return None
+        return self.scan_card.hear(self.app_state, self.scanner, text)
 
     def _show_login(self) -> None:
         """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""

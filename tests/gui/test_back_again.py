@@ -37,7 +37,7 @@ def beside(window, name):
     bench.show_readings()
     at = next(at for at in range(bench.table.rowCount()) if bench.table.text(at, 1) == name)
     return (
-        "" if row.age.isHidden() else row.age.text(),
+        "" if row.back.isHidden() else row.back.text(),
         f"{bench.table.text(at, 5)} {bench.table.item(at, 5).toolTip()}",
     )
 

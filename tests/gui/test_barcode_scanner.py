@@ -259,6 +259,37 @@ def test_what_came_as_a_scan_is_given_back_to_the_field_where_it_was_typed(still
     assert not still.scan_card.typed.isVisible()
 
 
+@pytest.fixture
+def measured(still):
+    """Another DUT's run asks for a mounting."""
+    from labcal.gui.ipc.messages import RunProcedure
+    from labcal.record.stream import Prompt
+
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml"))
+    still.app_state.bench_worker.items.emit((Prompt(1.0, "mode-full", "Switch it.", ("done",), True),))
+    return still
+
+
+def test_quick_fingers_lose_no_letter_in_a_field_of_names_while_a_run_asks(measured, keys):
+    measured.open_page("Certificate")
+    steps = measured.page("Certificate").steps
+    steps.key.opened = True
+    steps.key.fold()
+    keys(steps.key_name, "bob", 0.015)
+    keys(steps.key_name, " lee", 0.015)
+    assert steps.key_name.text() == "bob lee"
+
+
+def test_what_is_typed_fast_into_a_note_of_a_run_is_the_note(measured, keys):
+    note = measured.page("Run").live.note
+    keys(note, "lift", 0.015)
+    keys(note, " moved", 0.015)
+    assert note.text() == "lift moved"
+    note.clear()
+    keys(note, "EM-19", 0.01, Qt.Key.Key_Return)  # as a scanner ends it
+    assert "Scanned EM-19" in measured.message.text()
+
+
 def test_a_path_that_is_typed_quickly_into_a_dialog_of_files_is_taken(still, keys, tmp_path):
     """It was held for a scan: the dialog had nothing of it."""
     dialog = QFileDialog(still, "", str(tmp_path))

@@ -4,13 +4,14 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit
 from test_path import RUN, SIGNATURE, calibration
 
 from labcal.gui.ipc.messages import Approve, ListCalibrations, ListKeys, NewKey, Sign
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.key_rules import as_key_name
 from labcal.gui.viewmodels.signing import steps
+from labcal.gui.widgets.folder_dialog import FolderDialog
 from labcal.gui.widgets.stated_fields import day_stated
 
 DRAFT = calibration(signed=False)
@@ -324,3 +325,62 @@ def test_what_was_handed_out_is_said_below_the_buttons_and_takes_no_room_before(
     paper.said.setText("")
     settle()
     assert paper.height() == high
+
+
+def test_enter_in_the_passphrase_signs_or_says_what_is_missing(qtbot, page):
+    told(page, APPROVED, "a.smith")
+    sign = page.steps
+    qtbot.keyClick(sign.passphrase, Qt.Key.Key_Return)
+    assert sign.signature.wrong.text() == "✕ Type the passphrase first."
+    sign.passphrase.setText("four words are easy")
+    sign.names_known()
+    page.names.line = lambda: ""
+    sign._lacks = lambda: ""  # whom it names was asked before
+    qtbot.keyClick(sign.passphrase, Qt.Key.Key_Return)
+    assert isinstance(page._app_state.quick_worker.asked[-1].command, Sign)
+
+
+def test_the_page_stays_where_it_is_as_its_file_is_signed(qtbot, page, new_window):
+    """It rolled down to what Qt gives the focus next, and that it is signed was out of sight."""
+    new_window.resize(1024, 700)
+    told(page, APPROVED, "a.smith")
+    sign, area = page.steps, new_window.lazy_pages["Certificate"].area
+    sign._lacks = lambda: ""
+    sign.passphrase.setText("four words are easy")
+    area.ensureWidgetVisible(sign.sign)
+    settle()
+    before = area.verticalScrollBar().value()
+    qtbot.mouseClick(sign.sign, Qt.MouseButton.LeftButton)
+    settle()
+    assert area.verticalScrollBar().value() == before
+    page._app_state.quick_worker.asked[-1].then(RELEASED)
+    settle()
+    assert area.verticalScrollBar().value() <= before
+
+
+def test_what_a_step_says_is_not_said_twice(qtbot, page):
+    told(page, DRAFT, "a.smith")
+    qtbot.mouseClick(page.steps.approve, Qt.MouseButton.LeftButton)
+    page._app_state.quick_worker.asked[-1].then(APPROVED)
+    settle()
+    assert page.steps.approval.words.text() == "Approved by a.smith."
+    assert page.steps.approval.words.isVisible()
+    assert not page.steps.approval.done.isVisible()
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_folder_that_is_there_is_taken_as_well_as_the_name_of_a_new_one(qtbot, page, tmp_path, there):
+    """Its button was grey, without a word, for a folder that is there."""
+    folder = tmp_path / "out"
+    if there:
+        folder.mkdir()
+    asks = FolderDialog(page, "Where to", "Copy here", "EM-07")
+    asks.open()
+    typed = asks.findChild(QLineEdit, "fileNameEdit")
+    typed.setText(str(folder))
+    settle()
+    button = asks.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
+    assert button.isEnabled()
+    button.click()
+    assert asks.result() == 1
+    assert asks.folder() == str(folder)

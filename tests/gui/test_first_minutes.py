@@ -14,6 +14,7 @@ from labcal.gui.screen import show_whole
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.began import began_at
 from labcal.gui.viewmodels.run_search import local_time
+from labcal.gui.widgets import bench_chooser
 from labcal.gui.widgets.plots import Traces, spread
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.record.stream import Block, Step
@@ -43,14 +44,18 @@ def test_a_bench_that_cannot_be_opened_is_not_being_opened(still):
     assert still.message.text() == ""
 
 
-def test_who_is_to_open_a_bench_is_led_to_what_opens_one(new_window):
+@pytest.mark.parametrize("chosen", ["/lab/bench.toml", ""])
+def test_who_is_to_open_a_bench_chooses_its_file_at_once(new_window, monkeypatch, chosen):
+    """Start's button led to a second one of the same name."""
+    monkeypatch.setattr(bench_chooser.QFileDialog, "getOpenFileName", lambda *_: (chosen, ""))
     new_window.app_state.facts = None
     new_window.app_state.lab.update(bench="")
     new_window.app_state.bench_changed.emit()
-    bench = new_window.page("Bench")
     new_window.open_page("Start")
+    before = list(new_window.app_state.quick_worker.asked)
     new_window.page("Start").open.click()
-    assert (new_window.page_shown(), QApplication.focusWidget()) == ("Bench", bench.choose)
+    asked = [one.command for one in new_window.app_state.quick_worker.asked[len(before) :]]
+    assert [one for one in asked if isinstance(one, ReadBench)] == ([ReadBench(chosen)] if chosen else [])
 
 
 def test_no_field_moves_because_a_setting_is_another_or_the_plan_is_there(still):

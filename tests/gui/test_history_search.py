@@ -11,6 +11,7 @@ from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.ipc.record_messages import RunResult, TellResults
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.viewmodels.run_results import RunResults
 from labcal.gui.viewmodels.run_search import HEADINGS, cells, file_name, matches
 from labcal.gui.viewmodels.run_verdict import end_result
 from labcal.gui.widgets.run_chooser import run_label, run_title
@@ -119,3 +120,19 @@ def test_a_run_that_coils_off_ended_says_so_in_the_same_words_in_every_list():
     assert run_label(by_off).startswith("■ stopped by COILS OFF · ")
     assert run_label(ended).startswith("■ stopped · ")
     assert cells(by_off)[4] == "stopped by COILS OFF"
+
+
+def test_a_window_in_another_language_asks_for_no_result_that_was_told(still):
+    """For seconds a run was "finished" that had been "✓ PASS" before."""
+    path, worker = still.app_state.path, still.app_state.quick_worker
+    before, done = RunResults(worker, path.results), replace(RUN, run_id="of a window before")
+    before.ask([done])
+    worker.answer(TellResults, (RunResult(done.run_id, "PASS", ()),))
+    after = RunResults(worker, path.results)
+    after.ask([done])
+    assert after.word(done)[0] == "✓ PASS"
+    assert not after.waiting
+
+
+def test_the_pages_share_what_runs_came_to(still):
+    assert still.page("History").results._known is still.page("Start").results._known is still.app_state.path.results

@@ -262,6 +262,29 @@ def test_a_key_that_is_down_from_before_is_told_to_be_let_go(qtbot, still, switc
     assert switched.choices["done"].held.isActive()
 
 
+@pytest.mark.parametrize("seen", ["its release", "a press anew", "another window"])
+def test_that_a_key_is_down_is_not_said_longer_than_it_is_known(qtbot, still, switched, patience, seen):
+    """It stood there for half a minute after F8 was let go; and where its release went elsewhere, for good."""
+    usual = switched.hint.text()
+    for kind in (PRESS, RELEASE, PRESS):  # as X11 repeats a key that stays down
+        strike(still, kind, repeated=True)
+    assert switched.hint.text().startswith("▲ Let go of F8")
+    if seen == "its release":
+        strike(still, RELEASE)
+        strike(still, PRESS)  # a blink: it is down
+        qtbot.wait(2 * LET_GO_MS)
+        assert switched.hint.text().startswith("▲ Let go of F8")
+        strike(still, RELEASE)
+    elif seen == "a press anew":
+        qtbot.waitUntil(switched.choices["done"].isEnabled, timeout=patience)
+        hold_button.heard_ms.clear()
+        strike(still, PRESS)
+        assert switched.choices["done"].held.isActive()
+    else:
+        QApplication.sendEvent(switched.choices["done"], QEvent(QEvent.Type.ActivationChange))
+    qtbot.waitUntil(lambda: switched.hint.text() == usual, timeout=patience)
+
+
 def test_presses_that_came_too_soon_keep_no_question_from_its_answer(qtbot, still, switched, patience):
     asked_s = time.monotonic()
     while not switched.choices["done"].isEnabled() and time.monotonic() - asked_s < patience / 1000:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pytest
+from test_nothing_is_cut import other_language as other_language
 from test_path import RUN, calibration
 
 from labcal.gui.ipc.answers import Ended
@@ -65,3 +66,28 @@ def test_start_has_in_blue_what_next_goes_on_with_and_no_other(still, last):
     assert (goes_on.objectName() == "primary") == (resumes is not None)
     choose = still.page("Run").choose
     assert (choose.go_on.objectName() == "primary") == (resumes is not None)
+
+
+@pytest.mark.parametrize("status", ["finished", "stopped", "failed: reference is silent"])
+def test_next_begins_by_closing_the_run_that_has_ended(still, status):
+    """Next: Begin rotate-axis, on the page of a run that has ended, did nothing."""
+    app_state, page = still.app_state, still.page("Run")
+    page.choose.choose("rotate-axis")
+    app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
+    app_state.bench_worker.answer(RunProcedure, Ended("r2", status))
+    still.open_page("Run")
+    assert page.faces.currentWidget() is page.live
+    assert still.next.text() == "Next: Begin rotate-axis"
+    still.next.click()
+    assert page.faces.currentWidget() is page.choose
+    assert page.choose.list.currentItem().text() == "rotate-axis"
+    assert still.focusWidget() is page.choose.start
+
+
+@pytest.mark.parametrize("other_language", ["de"], indirect=True)
+def test_next_says_no_word_twice(other_language, new_window):
+    """It read "Weiter: Weiter mit EM-08"."""
+    new_window.say_next("Weiter mit EM-08")
+    assert new_window.next.text() == "Weiter mit EM-08"
+    new_window.say_next("Messung auswerten")
+    assert new_window.next.text() == "Weiter: Messung auswerten"

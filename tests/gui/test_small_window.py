@@ -109,3 +109,14 @@ def test_where_there_is_no_room_for_larger_letters_that_is_said(new_window):
     switch = new_window.size_switch
     assert top + tip.height() <= switch.mapTo(new_window, switch.rect().topLeft()).y()
     new_window.toggle_wall()
+
+
+@pytest.mark.parametrize(("page", "face"), [("History", "comparison"), ("History", "recording"), ("Bench", "editor")])
+def test_what_a_face_out_of_sight_would_need_makes_no_page_wider(new_window, page, face):
+    """Two runs once compared in large letters, or a bench file edited: the list was cut, with a bar below it."""
+    new_window.open_page(page)
+    hidden = getattr(new_window.page(page), face)
+    new_window.resize(1024, 700)
+    hidden.setMinimumWidth(2 * new_window.width())
+    settle(new_window)
+    assert new_window.lazy_pages[page].area.horizontalScrollBar().maximum() == 0

@@ -68,3 +68,14 @@ def test_how_far_the_dut_is_stands_below_what_is_to_be_done(new_window):
     page = brought_to(new_window, 1360, 860)
     assert page.way.text() == "○ Bench  →  ✓ Run  →  ○ Fit  →  ○ Loop  →  ○ Certificate"
     assert page.way.isVisible()
+
+
+def test_how_the_last_runs_came_out_is_whole_in_a_small_window(new_window):
+    """It was cut at "runnin"."""
+    running = replace(RUN, run_id="r9", status="running", dut_serial="SIM-0001")
+    stored(new_window, running, replace(RUN, status="stopped", stopped=True))
+    runs = brought_to(new_window, 1024, 700).runs
+    assert runs.text(0, 2) == "running"
+    for column in (1, 2):  # whose, and how
+        end = runs.columnViewportPosition(column) + runs.columnWidth(column)
+        assert end <= runs.viewport().width(), column

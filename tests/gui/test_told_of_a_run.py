@@ -10,7 +10,7 @@ from labcal.gui.ipc.messages import ListRuns, RunProcedure
 from labcal.gui.ipc.record_messages import TellRecord
 from labcal.gui.pages.run_live import Live
 from labcal.gui.translations.sentences import form_of
-from labcal.gui.viewmodels.told_words import SO_FAR, interrupted_words
+from labcal.gui.viewmodels.told_words import SO_FAR, interrupted_words, remarked_words
 from labcal.record.stream import RESUMED, Event, Step
 from labcal.record.told import Interruption, Told
 from labcal.session.told import interruptions
@@ -61,6 +61,8 @@ def test_what_the_procedure_noted_is_one_line_with_a_count_the_whole_behind_deta
     assert told.layout().indexOf(told.noted) < told.layout().indexOf(told.line)
     said = "Estimates on the way: 7 notes; no verdict rests on them."
     assert told.remarked.text() == said  # nothing of a filter stands beside a verdict it has no part in
+    once = remarked_words(replace(TOLD, remarks=(SURPRISED,)))
+    assert once == "Estimates on the way: 1 note; no verdict rests on it."
     assert not told.all.isVisible()
     told.fold.click()
     assert told.all.isVisible()

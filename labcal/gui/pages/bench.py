@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, Doubt, Earth, Identified, Instrument
 from labcal.gui.ipc.messages import FindOnLines, Identify
@@ -24,9 +24,10 @@ from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, ol
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
+from labcal.gui.widgets.bench_chooser import choose_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
 from labcal.gui.widgets.cage_view import CageView, vector_colours
-from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, FaceStack, button, label, set_primary, set_state
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -60,7 +61,7 @@ class BenchPage(QWidget):
         self.fault.report_requested.connect(app_state.report_requested)
         self.fault.zero_wanted.connect(self.check_all)
         column.addWidget(self.fault)
-        self.faces, self.editor = QStackedWidget(), BenchEditor(app_state, theme)
+        self.faces, self.editor = FaceStack(), BenchEditor(app_state, theme)
         self.editor.left.connect(lambda: self.faces.setCurrentIndex(0))
         self.editor.saved.connect(self._edited)
         self.faces.addWidget(self._bench())
@@ -157,9 +158,7 @@ class BenchPage(QWidget):
         return card
 
     def _choose(self) -> None:
-        path, _ = QFileDialog.getOpenFileName(self, self.tr("Open a bench file"), "", "*.toml")
-        if path:
-            self._app_state.open_bench(path)
+        choose_bench(self, self._app_state)
 
     def _edit(self, file: str) -> None:
         self.editor.open(file)

@@ -27,6 +27,7 @@ from labcal.gui.widgets.calibration_views import CalibrationViews
 from labcal.gui.widgets.common import Card, button, combo_box, flat, label, plain, set_state
 from labcal.gui.widgets.drop_zone import Drop
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_place import place_kept
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.names_card import NamesCard
 from labcal.gui.widgets.run_chooser import run_name
@@ -302,9 +303,10 @@ class CertificatePage(QWidget):
         at_work = here is not None and self.isAncestorOf(here)
         if one is not None:
             self._files[one.path] = one
-        self._show()
-        if at_work and self.begins_at.isEnabled():
-            self.begins_at.setFocus(Qt.FocusReason.OtherFocusReason)
+        with place_kept(self):  # how it stands now is said at the top
+            self._show()
+            if at_work and self.begins_at.isEnabled():
+                self.begins_at.setFocus(Qt.FocusReason.OtherFocusReason)
         self.refresh()
 
     def _handed_out(self, one: CalibrationFile, copy: str) -> None:

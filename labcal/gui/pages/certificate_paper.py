@@ -17,6 +17,7 @@ from labcal.gui.viewmodels.handed_files import handed_files
 from labcal.gui.widgets.common import button
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.folder_dialog import FolderDialog
 from labcal.gui.widgets.open_externally import FolderButton, open_externally
 from labcal.gui.widgets.printer import Printer
 from labcal.gui.widgets.remark import Remark
@@ -122,15 +123,9 @@ class Paper(StepCard):
 
     def _asked_folder(self, name: str) -> str:
         """One that is there, or a new one whose name is typed."""
-        asks = QFileDialog(self, self.tr("Copy the calibration to: a folder, or the name of a new one"))
-        asks.setFileMode(QFileDialog.FileMode.AnyFile)
-        asks.setAcceptMode(QFileDialog.AcceptMode.AcceptSave)
-        asks.setOption(QFileDialog.Option.ShowDirsOnly)
-        asks.setOption(QFileDialog.Option.DontConfirmOverwrite)  # nothing in a folder that is there is written over
-        asks.setLabelText(QFileDialog.DialogLabel.Accept, self.tr("Copy here"))
-        asks.setDirectory(str(Path.home()))
-        asks.selectFile(name)
-        return asks.selectedFiles()[0] if asks.exec() else ""
+        title = self.tr("Copy the calibration to: a folder, or the name of a new one")
+        asks = FolderDialog(self, title, self.tr("Copy here"), name)
+        return asks.folder() if asks.exec() else ""
 
     def hand_out(self, folder: str) -> None:
         """Everything that goes to the customer into `folder`: file, signatures, keys, the certificate, and a list."""

@@ -16,8 +16,10 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.key_rules import approver_objection, as_key_name, key_name_objection, key_objection
 from labcal.gui.viewmodels.signing import SigningStep, awaited, doubts, until_words, valid_words
+from labcal.gui.widgets.barcode_scanner import takes_names
 from labcal.gui.widgets.common import button, combo_box, label, say_wanted, set_state
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_place import place_kept
 from labcal.gui.widgets.secret import secret_entry
 from labcal.gui.widgets.stated_fields import StatedFields
 from labcal.gui.widgets.step_card import StepCard, StepRow
@@ -63,6 +65,7 @@ class SigningSteps(StepRow):
         self.again = self._secret(self.tr("Once more"), self.tr("Typed twice: nothing can bring it back"))
         self.key_name.setToolTip(self.tr("The name that this person signs under"))
         self.key_name.setAccessibleName(self.tr("Whose key"))
+        takes_names(self.key_name)
         self.key_name.textChanged.connect(self.check)
         self.key_name.editingFinished.connect(self._offer_name)
         self.new_key = button(self.tr("New key"), self.tr("Make a key for this name, and trust it in this lab"))
@@ -80,6 +83,8 @@ class SigningSteps(StepRow):
         )
         self.approver = QComboBox()
         self.approver.setEditable(True)
+        if (typed := self.approver.lineEdit()) is not None:
+            takes_names(typed)
         self.approver.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         say_wanted(self.approver, self.tr("Who approves"))
         self.approver.setAccessibleName(self.tr("Who approves"))
@@ -99,6 +104,7 @@ class SigningSteps(StepRow):
         self.passphrase = self._secret(self.tr("Passphrase"), self.tr("Of this person's key; asked each time"))
         self.sign = button(self.tr("Sign"), self.tr("Sign the file as it is"))
         self.sign.clicked.connect(self._sign)
+        self.passphrase.returnPressed.connect(self._enter)
         card.put((self.signer, self.passphrase), self.sign)
         self.valid = self._valid_in(card)
         return card
@@ -253,6 +259,13 @@ class SigningSteps(StepRow):
         self.signature.ask(words)
         self.sign.setText(self.tr("Sign it all the same") if words else self.tr("Sign"))
 
+    def _enter(self) -> None:
+        """As a click on Sign, where that may be pressed; else what is missing."""
+        if self.sign.isEnabled():
+            return self.sign.click()
+        nobody = "" if self.signer.currentText() else self.tr("Choose who signs.")
+        return self.signature.say_wrong(self.stated.objection() or nobody or self.tr("Type the passphrase first."))
+
     def _sign(self) -> None:
         """Where nobody is named as laboratory or customer the first press asks, and the second one signs."""
         if (one := self._chosen()) is not None and not self.signature.asked_just_now():
@@ -263,7 +276,8 @@ class SigningSteps(StepRow):
             command = Sign(one.path, name, passphrase, *self.stated.stated())
             known = partial(self._said, self.signature, self.tr("Signed by {0}.").format(name))
             self._ask(command, self.signature, self.passphrase, known)
-            self.passphrase.clear()
+            with place_kept(self):
+                self.passphrase.clear()
         return None
 
     def names_known(self) -> None:

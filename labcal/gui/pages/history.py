@@ -7,7 +7,7 @@ from functools import cached_property
 from pathlib import Path
 
 from PySide6.QtCore import QItemSelectionModel, QSignalBlocker
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QInputDialog, QLineEdit, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import CalibrationFile, Comparison, RunLine
 from labcal.gui.ipc.messages import CompareRuns, CorrectSerial, ExportRun, ImportBundle, ListCalibrations, ListRuns
@@ -22,7 +22,7 @@ from labcal.gui.viewmodels.run_results import RunResults
 from labcal.gui.viewmodels.run_search import HEADINGS, NOT_WHOLE, OF_ARCHIVE, file_name, measured_s, moment_s, rows_of
 from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.widgets.barcode_scanner import takes_scans
-from labcal.gui.widgets.common import Card, button, combo_box, label, set_state, shrinkable
+from labcal.gui.widgets.common import Card, FaceStack, button, combo_box, label, set_state, shrinkable
 from labcal.gui.widgets.comparison import ComparisonView
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
@@ -43,7 +43,7 @@ class HistoryPage(QWidget):
         self.runs: tuple[RunLine, ...] = ()
         self._found: list[RunLine] = []
         self._compared: CompareRuns | None = None
-        self._idle_queue, self.results = IdleQueue(self), RunResults(app_state.quick_worker)
+        self._idle_queue, self.results = IdleQueue(self), RunResults(app_state.quick_worker, app_state.path.results)
         self.results.changed.connect(self._show)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
@@ -51,7 +51,7 @@ class HistoryPage(QWidget):
         self.fault = FaultCard()
         self.fault.report_requested.connect(app_state.report_requested)
         column.addWidget(self.fault)
-        self.faces = QStackedWidget()
+        self.faces = FaceStack()
         column.addWidget(self.faces)
         self.faces.addWidget(self._list(theme))
         app_state.run.ended.connect(self.refresh)

@@ -23,9 +23,10 @@ class RunPage(QWidget):
         self._app_state = app_state
         self.choose = Choose(app_state)
         self.faces = FaceStack()
+        self.choose.setContentsMargins(0, 0, 2 * GRID, 0)
         self.faces.addWidget(self.choose)
         column = QVBoxLayout(self)
-        column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
+        column.setContentsMargins(2 * GRID, 2 * GRID, 0, 2 * GRID)  # at the right each face has its own
         column.addWidget(self.faces)
         app_state.procedure_requested.connect(self._open_wanted)
         self._open_wanted()
@@ -61,6 +62,11 @@ class RunPage(QWidget):
     def begins_at(self) -> QWidget | None:
         """The setting that is to be mended before anything else."""
         return self.choose.refused_field() if self.faces.currentWidget() is self.choose else None
+
+    def close_ended(self) -> None:
+        """Back to the form, with what is chosen there, where a run that has ended is in sight."""
+        if self._app_state.run.state == "ended" and self.faces.currentWidget() is not self.choose:
+            self._put_away()
 
     def _open_wanted(self) -> None:
         if (wanted := self._app_state.take_wanted()) is not None:

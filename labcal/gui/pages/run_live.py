@@ -23,15 +23,17 @@ from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
 from labcal.gui.viewmodels.run_verdict import keeps_a_turn, run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, headline_state, keep_off, kept_out, what_happens
+from labcal.gui.widgets.acts_card import ActsCard
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
+from labcal.gui.widgets.bar_in_margin import WholeInWidth
 from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
 from labcal.gui.widgets.covered_bar import CoveredBar
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.headline import RunHeadline
 from labcal.gui.widgets.kept_focus import focus_kept_in
-from labcal.gui.widgets.measurement_table import Measurements
+from labcal.gui.widgets.measurement_table import MeasuredCard
 from labcal.gui.widgets.paused_hands import PausedHands
 from labcal.gui.widgets.plots import Loci, Traces
 from labcal.gui.widgets.prompt_card import DEAD_MS, PromptCard
@@ -73,11 +75,14 @@ class Live(QWidget):
         middle = self._middle()
         right.addWidget(middle)
         self._holders = (left, middle, self._picture)
-        self.below = self._below()
+        self.below = MeasuredCard(self._theme)
+        self.table = self.below.table
         right.addWidget(self.below)
         right.setStretchFactor(0, 3)
         right.setStretchFactor(1, 1)
-        row.addWidget(right, 5)
+        rolled = QVBoxLayout()
+        rolled.addWidget(right)
+        row.addWidget(WholeInWidth(rolled, 2 * GRID), 5)  # where there is no room it rolls, and Stop stays in sight
         self.frame_timer = QTimer(self, interval=FRAME_MS)
         self.frame_timer.timeout.connect(self.draw)
         self.sounds = Sounds(self, app_state.settings)
@@ -101,8 +106,6 @@ class Live(QWidget):
         self._show()
 
     def _left(self) -> QWidget:
-        card = Card()
-        card.setMinimumWidth(24 * GRID)
         self.title = label("", "title", wrap=True)
         self.whose = label("", wrap=True)
         self.whose.setAccessibleName(self.tr("Whose run this is"))
@@ -110,16 +113,16 @@ class Live(QWidget):
         self.steps = StepList()
         self.notes = RunNotes(self._app_state)
         self.note, self.photo = self.notes.note, self.notes.photo
-        for widget in (self.title, self.whose, self.time_left):
-            card.body.addWidget(widget)
-        card.body.addWidget(self.steps, 1)
-        card.body.addStretch()
-        card.body.addWidget(self.notes)
         self.waits_for = label("", wrap=True)  # beside the button that is grey for it
         set_state(self.waits_for, "bad")
         self.waits_for.hide()
-        card.body.addWidget(self.waits_for)
-        card.body.addLayout(self._buttons())
+        above = QVBoxLayout()
+        for widget in (self.title, self.whose, self.time_left):
+            above.addWidget(widget)
+        above.addWidget(self.steps, 1)
+        above.addStretch()
+        card = ActsCard(above, self.notes, self.waits_for, self._buttons())
+        card.setMinimumWidth(24 * GRID)
         return card
 
     def _buttons(self) -> Flow:
@@ -186,13 +189,6 @@ class Live(QWidget):
         card.body.addWidget(self.traces, 2)
         return card
 
-    def _below(self) -> Card:
-        card = Card()
-        self.table = Measurements(self._theme)
-        self.table.setMinimumHeight(14 * GRID)
-        card.body.addWidget(self.table)
-        return card
-
     def _fit(self) -> None:
         """To the Fit page, which begins at once: it was asked for."""
         self._app_state.open_study(self._run.run_id)
@@ -255,7 +251,7 @@ class Live(QWidget):
         set_primary(self.fit, fits)
         self.fit.setEnabled(bool(run.run_id) and run.status == "finished")
         self.notes.enable(alive=run.alive)
-        self.below.setVisible(run.prompt is None and bool(run.measurements) and not decided)
+        self._show_below()
         self.show_verdict()
         self.table.show_measurements(run.measurements.values())
         self.lights.show_run(run)
@@ -265,6 +261,12 @@ class Live(QWidget):
             self._draw_last()
         elif not self.frame_timer.isActive():  # one that is begun anew at each word comes to no frame at a high pace
             self.frame_timer.start()
+
+    def _show_below(self) -> None:
+        """What was measured: not below a card that warns, where it would take the room of what goes on."""
+        run, decided = self._run, self._run.state == "ended" and not self._details
+        gives_way = run.prompt is not None or decided or self._app_state.warning_shown
+        self.below.setVisible(bool(run.measurements) and not gives_way)
 
     def _something_turns(self) -> bool:
         """Whether there is anything on the circles, or is to be now: empty ones say nothing while nothing turns."""
@@ -322,6 +324,7 @@ class Live(QWidget):
         ):
             self.put_away.emit()
         self._say_lab()
+        self._show_below()
         self.show_verdict()
         if self._run.fault is not None:
             self._say_coils_left()

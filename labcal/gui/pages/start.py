@@ -25,6 +25,7 @@ from labcal.gui.viewmodels.run_search import cells, local_time
 from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.viewmodels.what_happens import in_shape
+from labcal.gui.widgets.bench_chooser import choose_bench
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
 from labcal.gui.widgets.flow import Flow
@@ -63,7 +64,7 @@ class StartPage(QWidget):
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
         self.grid.laid_out.connect(lambda: self._say_runs(self._app_state.path.runs))
-        self._theme, self.results = theme, RunResults(app_state.quick_worker)
+        self._theme, self.results = theme, RunResults(app_state.quick_worker, app_state.path.results)
         self.results.changed.connect(lambda: self._say_runs(self._app_state.path.runs))
         self.facts: dict[str, tuple[QLabel, QLabel]] = {}
         self.check_cage = button(self.tr("Check the cage"), self.tr("The procedure cage-calibration, on the Run page"))
@@ -113,8 +114,8 @@ class StartPage(QWidget):
         self.calibrate.clicked.connect(lambda: self._app_state.open_procedure("preflight"))
         self.simulated = button(self.tr("Simulated lab"), self.tr("A whole lab without hardware, to learn on"))
         self.simulated.clicked.connect(lambda: open_simulated_bench(self._app_state))
-        self.open = button(self.tr("Open a bench …"), self.tr("What stands in this lab: the Bench page"), primary=True)
-        self.open.clicked.connect(self._app_state.next_requested)  # there to the button that opens one
+        self.open = button(self.tr("Open a bench …"), self.tr("The file of what stands in this lab"), primary=True)
+        self.open.clicked.connect(lambda: choose_bench(self, self._app_state))
         self.logo, self.laboratory = Logo(), label("", "caption", wrap=True)
         row = QHBoxLayout()
         row.setSpacing(GRID)
@@ -320,6 +321,8 @@ class StartPage(QWidget):
         self.runs.setVisible(bool(runs))
         last = runs[: LAST_WIDE if self.grid.wide else LAST]
         self.runs.setRowCount(len(last))
+        order = self.runs.horizontalHeader()
+        order.moveSection(order.visualIndex(0), 0 if self.grid.wide else 2)  # who and how come before when
         for row, one in enumerate(last):
             self._write_run(row, one)
 
@@ -327,6 +330,7 @@ class StartPage(QWidget):
         word, state = self.results.word(one)
         started, dut, procedure, _, result, calibration, _ = cells(one, self._app_state.path.stands(one.run_id), word)
         for column, text in enumerate((started, dut, result, calibration or "–", procedure)):
+            text = text if column or self.grid.wide else text.partition("-")[2]  # the year is in the tip
             ink = {2: state, 3: "warning" if doubtful(text) else ""}.get(column) or "text"
             self.runs.set_cell(row, column, text, colour=getattr(self._theme, ink), tip=run_title(one))
 

@@ -288,10 +288,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Open a bench file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A bench file (.toml): what stands in the lab, on which lines</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7799,6 +7795,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Choose who signs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the passphrase first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0} Sign it all the same?</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7876,10 +7880,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What stands in this lab: the Bench page</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Looking into the store.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7929,6 +7929,10 @@ after this step …</source>
     </message>
     <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file of what stands in this lab</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9784,6 +9788,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Estimates on the way: 1 note; no verdict rests on it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10185,6 +10193,10 @@ after this step …</source>
     </message>
     <message>
         <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
+        <translation></translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

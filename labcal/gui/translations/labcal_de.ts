@@ -256,10 +256,6 @@
         <translation>Der Käfig</translation>
     </message>
     <message>
-        <source>Open a bench file</source>
-        <translation>Messplatzdatei öffnen</translation>
-    </message>
-    <message>
         <source>A draft of a bench file</source>
         <translation>Entwurf einer Messplatzdatei</translation>
     </message>
@@ -7800,6 +7796,14 @@ diesem Schritt …</translation>
         <translation>Trotzdem signieren</translation>
     </message>
     <message>
+        <source>Choose who signs.</source>
+        <translation>Wählen Sie, wer unterschreibt.</translation>
+    </message>
+    <message>
+        <source>Type the passphrase first.</source>
+        <translation>Geben Sie zuerst das Kennwort ein.</translation>
+    </message>
+    <message>
         <source>{0} Sign it all the same?</source>
         <translation>{0} Trotzdem signieren?</translation>
     </message>
@@ -7897,10 +7901,6 @@ diesem Schritt …</translation>
         <translation>Messplatz öffnen …</translation>
     </message>
     <message>
-        <source>What stands in this lab: the Bench page</source>
-        <translation>Was in diesem Labor steht: Seite Messplatz</translation>
-    </message>
-    <message>
         <source>Looking into the store.</source>
         <translation>Der Speicher wird gelesen.</translation>
     </message>
@@ -7959,6 +7959,10 @@ diesem Schritt …</translation>
     <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
+    </message>
+    <message>
+        <source>The file of what stands in this lab</source>
+        <translation>Die Datei dessen, was in diesem Labor steht</translation>
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
@@ -9785,6 +9789,10 @@ diesem Schritt …</translation>
         <translation>Schätzungen unterwegs: {0} Vermerke; kein Urteil beruht darauf.</translation>
     </message>
     <message>
+        <source>Estimates on the way: 1 note; no verdict rests on it.</source>
+        <translation>Schätzungen unterwegs: 1 Vermerk; kein Urteil beruht darauf.</translation>
+    </message>
+    <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
         <translation>▲ Offen in der Messung selbst: {0}. Eine Genehmigung nimmt das so hin.</translation>
     </message>
@@ -10187,6 +10195,10 @@ diesem Schritt …</translation>
     <message>
         <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
         <translation>○ noch keine Messung, mit der dieser Prüfling kalibriert werden kann: Ein Preflight ist eine, eine Drehung um eine Achse keine</translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
+        <translation>Messplatzdatei öffnen</translation>
     </message>
 </context>
 <context>

@@ -256,10 +256,6 @@
         <translation>La cage</translation>
     </message>
     <message>
-        <source>Open a bench file</source>
-        <translation>Ouvrir un fichier de banc</translation>
-    </message>
-    <message>
         <source>A draft of a bench file</source>
         <translation>Ébauche d&apos;un fichier de banc</translation>
     </message>
@@ -7800,6 +7796,14 @@ cette étape …</translation>
         <translation>Signer quand même</translation>
     </message>
     <message>
+        <source>Choose who signs.</source>
+        <translation>Choisissez qui signe.</translation>
+    </message>
+    <message>
+        <source>Type the passphrase first.</source>
+        <translation>Saisissez d’abord la phrase de passe.</translation>
+    </message>
+    <message>
         <source>{0} Sign it all the same?</source>
         <translation>{0} Signer quand même ?</translation>
     </message>
@@ -7897,10 +7901,6 @@ cette étape …</translation>
         <translation>Ouvrir un banc …</translation>
     </message>
     <message>
-        <source>What stands in this lab: the Bench page</source>
-        <translation>Ce qui se trouve ici : page Banc</translation>
-    </message>
-    <message>
         <source>Looking into the store.</source>
         <translation>Lecture du dépôt.</translation>
     </message>
@@ -7959,6 +7959,10 @@ cette étape …</translation>
     <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
+    </message>
+    <message>
+        <source>The file of what stands in this lab</source>
+        <translation>Le fichier de ce qui se trouve dans ce laboratoire</translation>
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
@@ -9785,6 +9789,10 @@ cette étape …</translation>
         <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur elles.</translation>
     </message>
     <message>
+        <source>Estimates on the way: 1 note; no verdict rests on it.</source>
+        <translation>Estimations en cours de route : 1 note ; aucun verdict ne repose sur elle.</translation>
+    </message>
+    <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
         <translation>▲ Ouvert dans la mesure même : {0}. Une approbation l&apos;accepte tel quel.</translation>
     </message>
@@ -10187,6 +10195,10 @@ cette étape …</translation>
     <message>
         <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
         <translation>○ pas encore de mesure qui permette d’étalonner ce DUT : un preflight en est une, une rotation sur un axe n’en est pas une</translation>
+    </message>
+    <message>
+        <source>Open a bench file</source>
+        <translation>Ouvrir un fichier de banc</translation>
     </message>
 </context>
 <context>

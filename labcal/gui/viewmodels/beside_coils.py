@@ -8,4 +8,5 @@ from labcal.gui.viewmodels.lab_now import LabNow
 
 def beside_coils(now: LabNow) -> str:
     """In sentences; "" where nothing more is known. What silent instruments have in common is looked at first."""
-    return ". ".join(filter(None, (field_says(now), now.silent_with_current, now.in_common)))
+    field = field_says(now)
+    return ". ".join(filter(None, (field[:1].upper() + field[1:], now.silent_with_current, now.in_common)))

@@ -9,6 +9,7 @@ from typing import Literal
 from PySide6.QtCore import QObject, Signal
 
 from labcal.gui.ipc.answers import CalibrationFile, RunLine
+from labcal.gui.ipc.record_messages import RunResult
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.handed_out import HandedOut
@@ -80,6 +81,7 @@ class PathViewModel(QObject):
         self.listed = False  # whether the store has been read
         self.files: tuple[CalibrationFile, ...] = ()
         self._steps: dict[str, str] = {}  # by run: the step that the Certificate page says is next of its draft
+        self.results = dict[str, RunResult]()  # of runs, as far as they were told: no window asks for them anew
         self.refused = ""  # of the form on the Run page, where it is that of the preflight
         self.begins = ""  # the procedure that Begin there begins, whichever it is
         for source in (lab.changed, run.changed, study.changed):

@@ -17,22 +17,24 @@ AT_ONCE = 25  # runs, of the newest: nobody else waits long for the worker
 
 
 class RunResults(QObject):
-    """`changed` when another few are known."""
+    """`changed` when another few are known; `told` is kept by who lives longer, as a window in another language."""
 
     changed = Signal()
 
-    def __init__(self, worker: Client) -> None:
+    def __init__(self, worker: Client, told: dict[str, RunResult] | None = None) -> None:
         super().__init__()
         self._worker = worker
-        self._known: dict[str, RunResult | None] = {}  # None: it is asked for, or cannot be told
+        self._known: dict[str, RunResult] = {} if told is None else told
+        self._asked = set[str]()  # or it cannot be told
         self.waiting: list[str] = []
         self._at_once = AT_ONCE
 
     def ask(self, runs: Iterable[RunLine]) -> None:
         """Ask for those that have finished and are not known."""
         idle = not self.waiting
-        new = [one.run_id for one in runs if one.status == "finished" and one.run_id not in self._known]
-        self._known |= dict.fromkeys(new)
+        new = [one.run_id for one in runs if one.status == "finished" and one.run_id not in self._asked]
+        new = [run_id for run_id in new if run_id not in self._known]
+        self._asked |= set(new)
         self.waiting += new
         if idle:
             self._ask_some()
@@ -43,7 +45,7 @@ class RunResults(QObject):
             self._worker.request(TellResults(some), told, not_told)
 
     def _told(self, asked: tuple[str, ...], said: tuple[RunResult, ...]) -> None:
-        self._known |= {one.run_id: one for one in said}
+        self._known.update({one.run_id: one for one in said})
         del self.waiting[: len(asked)]
         self.changed.emit()
         self._ask_some()

@@ -29,13 +29,14 @@ TEXTS = (
     QT_TRANSLATE_NOOP("Words", "Noted: {0}"),
     QT_TRANSLATE_NOOP("Words", "The procedure noted {0} more, the last: {1}"),
     QT_TRANSLATE_NOOP("Words", "Estimates on the way: {0} notes; no verdict rests on them."),
+    QT_TRANSLATE_NOOP("Words", "Estimates on the way: 1 note; no verdict rests on it."),
     QT_TRANSLATE_NOOP("Words", "▲ Open in the run itself: {0}. An approval takes that as it is."),
     QT_TRANSLATE_NOOP("Words", "{0} not measured"),
 )
 ONCE, OFTEN, ONCE_ALONE, OFTEN_ALONE, AT, BEFORE, AT_ALONE, BEFORE_ALONE, *_LENGTHS = map(str, TEXTS[:12])
 UNKNOWN, SECONDS, MINUTES, HOURS = _LENGTHS
 _NOTES = map(str, TEXTS[12:])
-NOTED, NOTED_HERE, REMARKED, ESTIMATED, OPEN, MISSING = _NOTES
+NOTED, NOTED_HERE, REMARKED, ESTIMATED, ESTIMATED_ONCE, OPEN, MISSING = _NOTES
 SO_FAR = "offsets so far"  # as a running estimate begins: it has no part in a verdict
 
 
@@ -67,7 +68,8 @@ def remarked_words(told: Told) -> str:
     if not told.remarks:
         return ""
     if told.remarks[-1].startswith(SO_FAR):
-        return translated(ESTIMATED).format(len(told.remarks))
+        several = len(told.remarks) > 1
+        return translated(ESTIMATED if several else ESTIMATED_ONCE).format(len(told.remarks))
     return translated(REMARKED).format(len(told.remarks), in_words(told.remarks[-1]))
 
 

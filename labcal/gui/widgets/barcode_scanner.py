@@ -41,6 +41,7 @@ class Scanner(QObject):
         self._last_s = 0.0
         self._kept: list[tuple[QWidget, QKeyEvent]] = []
         self.caught: tuple[QLineEdit | None, str] = (None, "")
+        self.by_enter = False  # it ended as most scanners end what they read
         self._replaying = False
         self.wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
         self.wait.timeout.connect(self.flush)
@@ -90,6 +91,7 @@ class Scanner(QObject):
         self.wait.stop()
         struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
         text = "".join(event.text() for event in struck if event.key() not in ENTER)
+        self.by_enter = any(event.key() in ENTER for event in struck)
         if len(text) >= SHORTEST and not _is_number(kept[0][0], text):
             into = kept[0][0]
             if not _is_for_a_name(into):

@@ -91,6 +91,7 @@ class HoldButton(QPushButton):
     """
 
     tapped = Signal(str)  # it was let go too early, or pressed too soon: which of them, in words
+    freed = Signal()  # of a key that was said to be down from before: it is up, or nobody can tell any more
 
     def __init__(self, text: str, key: Qt.Key, *, held_by_mouse: bool = False) -> None:
         super().__init__(text)
@@ -104,6 +105,9 @@ class HoldButton(QPushButton):
         self._ended: HeardAt | None = None  # of the release that may be a blink
         self._dead = False  # its key was pressed while it took none
         self._told = False  # that its key is still down
+        self._says_down = False  # and that stands there
+        self._up = QTimer(self, interval=LET_GO_MS, singleShot=True)  # a key that repeats comes down again before
+        self._up.timeout.connect(self._is_free)
         self.let_go = QTimer(self, interval=LET_GO_MS, singleShot=True)
         self.let_go.timeout.connect(self._give_up)
         self._fill = QTimer(self, interval=FILL_MS)
@@ -114,6 +118,7 @@ class HoldButton(QPushButton):
         if event.key() != self.key or not self.isVisible():
             return False
         pressed = event.type() == QEvent.Type.KeyPress
+        self._up.stop() if pressed or event.isAutoRepeat() else self._up.start()
         if pressed:
             self._say_held(anew=anew)
         if not event.isAutoRepeat() and self._dead_says(pressed=pressed, anew=anew):
@@ -135,12 +140,20 @@ class HoldButton(QPushButton):
 
     def _say_held(self, *, anew: bool) -> None:
         """Of a key that is down from before, once: why it fills nothing."""
+        if anew:
+            self._is_free()
         if anew or self._began is not None or self._dead:
             self._told = anew
         elif not self._told:
-            self._told = True
+            self._told = self._says_down = True
             words = self.tr("▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.")
             self.tapped.emit(words.format(self._key_name()))
+
+    def _is_free(self) -> None:
+        """What was said of a key that is down is past."""
+        said, self._says_down = self._says_down, False
+        if said:
+            self.freed.emit()
 
     def _dead_says(self, *, pressed: bool, anew: bool) -> bool:
         """Of a press that came too soon: that it did, when the key is let go."""
@@ -231,7 +244,7 @@ class HoldButton(QPushButton):
 
     def hideEvent(self, event: object) -> None:
         """A key held over the end of a card confirms nothing in the next."""
-        self._dead = False
+        self._dead = self._says_down = False
         self._stop()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -239,3 +252,5 @@ class HoldButton(QPushButton):
         super().changeEvent(event)
         if event.type() in (QEvent.Type.ActivationChange, QEvent.Type.EnabledChange):
             self._stop()
+        if event.type() == QEvent.Type.ActivationChange:
+            self._is_free()

@@ -11,12 +11,13 @@ from PySide6.QtWidgets import QAbstractItemView, QApplication, QHeaderView, QTab
 from labcal.gui.theming.theme import GRID, STATES, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
-from labcal.gui.widgets.common import plain, tabular_font
+from labcal.gui.widgets.common import Card, plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
 NAME_PX = 18 * GRID
 NAME_PADDING_PX = 26  # of a cell by the style sheet, and what Qt keeps beside it
+QWIDGETSIZE_MAX = 16_777_215  # Qt's word for no limit
 FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
@@ -218,3 +219,31 @@ class Measurements(Table):
         self.set_cell(row, 4, short_number(one.limit), right=True)
         shape, state = STATES.get(one.verdict, ("", "text"))
         self.set_cell(row, 5, f"{shape} {translated(one.verdict)}".strip() or "–", colour=getattr(self._theme, state))
+
+
+class MeasuredCard(Card):
+    """The table alone on a card, a few rows of it always in sight."""
+
+    def __init__(self, theme: Theme) -> None:
+        super().__init__()
+        self.table = Measurements(theme)
+        self.setMinimumHeight(18 * GRID)
+        self.body.addWidget(self.table, 1)
+        self.body.addStretch()
+        self.table.verticalHeader().geometriesChanged.connect(self._end_with_a_row)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """As many rows as there is room for."""
+        super().resizeEvent(event)
+        self._end_with_a_row()
+
+    def _end_with_a_row(self) -> None:
+        """The last row in sight is a whole one."""
+        table, margins = self.table, self.layout()
+        around = 0 if margins is None else margins.contentsMargins().top() + margins.contentsMargins().bottom()
+        bar = table.horizontalScrollBar()
+        high = table.horizontalHeader().height() + 2 * table.frameWidth() + (bar.height() if bar.isVisible() else 0)
+        room, row = self.height() - around, 0
+        while row < table.rowCount() and high + table.rowHeight(row) <= room:
+            high, row = high + table.rowHeight(row), row + 1
+        table.setMaximumHeight(high if row < table.rowCount() else QWIDGETSIZE_MAX)

@@ -63,6 +63,7 @@ class PromptCard(UncutCard):
         self._reached_into = False  # what is asked brings hands to the lab
         self._lost = self._mended = False  # somebody, since it was asked; who was is heard again
         self._first = ""  # what comes before a plug
+        self._usual = ""  # how it is answered
         self._said_once = False  # how the coils are is said whole where hands are told that they may go in
         self._who, self._since, self._back = list[str](), list[str](), ""  # who is lost; who was, and answers again
         self._waits = False  # what sends hands to the lab: for the lab
@@ -330,9 +331,9 @@ class PromptCard(UncutCard):
             by_key = self.tr("No: nothing is measured, and the run ends. Yes: the record says that you answered so.")
         if prompt.key == STANDS:
             by_key = f"{self._what_no_means()} {by_key}".strip()
-        self.hint.setText(
-            self.tr("A scan answers by itself; what is typed is sent by Enter.") if SERIAL in prompt.drawing else by_key
-        )
+        by_scan = self.tr("A scan answers by itself; what is typed is sent by Enter.")
+        self._usual = by_scan if SERIAL in prompt.drawing else by_key
+        self.hint.setText(self._usual)
 
     def say_kept(self, *, turn: bool, delays: str) -> None:
         """Before a question is shown: whether a turn is kept of before an interruption, and what of the delays."""
@@ -368,6 +369,7 @@ class PromptCard(UncutCard):
         words = how.format(key.name.removeprefix("Key_"))
         made.setToolTip(words)
         made.tapped.connect(self._say_tapped)
+        made.freed.connect(lambda: self.hint.setText(self._usual))
         return made
 
     def _say_tapped(self, words: str) -> None:

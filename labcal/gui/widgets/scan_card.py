@@ -6,7 +6,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLineEdit
 from shiboken6 import isValid
 
+from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.scan import ScanViewModel
+from labcal.gui.widgets.barcode_scanner import Scanner
 from labcal.gui.widgets.common import Card, button, label
 
 
@@ -34,6 +36,17 @@ class ScanCard(Card):
         self.body.addLayout(row)
         scan.changed.connect(self._show)
         self._show()
+
+    def hear(self, app_state: AppState, scanner: Scanner, text: str) -> None:
+        """A scan; or letters of quick fingers, which go into the field where they were typed."""
+        (field, caught), run = scanner.caught, app_state.run
+        if field is not None and run.alive and not run.asks_serial and not scanner.by_enter:
+            return field.insert(caught)  # nobody asks for a scan, and none ends like that
+        self.catch(field, caught)
+        app_state.scan(text)
+        if field is not None and not run.alive and app_state.serial_objection(text):
+            field.insert(caught)  # it is no serial
+        return None
 
     def catch(self, field: QLineEdit | None, text: str) -> None:
         """What came so fast while `field` had the focus: quick fingers may have typed it there."""
