@@ -94,7 +94,7 @@ def test_what_the_field_said_last_stands_with_its_age_until_it_is_read_again(rea
         app_state.off.order()
         assert app_state.lab.state.now.coil_words == NOT_SINCE
     assert hands(real)[1].startswith(said)
-    assert beside_coils(app_state.lab.state.now).startswith("the field says: still on")
+    assert beside_coils(app_state.lab.state.now).startswith("The field says: still on")
     app_state.kept.answered()
     app_state.take_lab(replace(was, field=FieldReading(None, OFF_NT, now + 3.0)))
     assert "still on" not in hands(real)[1]
