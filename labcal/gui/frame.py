@@ -176,9 +176,7 @@ class Frame(QMainWindow):
         """What is next, in words; what was said of another is past."""
         if following != self.next.following:
             self._said_for_now.put_away()
-        words = self.tr("Next: {0}")
-        again = following.startswith(words.partition(":")[0].strip())  # "Weiter: Weiter mit …"
-        self.next.say(following if again else words.format(following), following)
+        self.next.say(self.tr("Next: {0}").format(following), following)
         self.next.show()
 
     def open_page(self, name: str) -> None:

@@ -190,8 +190,8 @@ def at_rest(window):
         worker.asked, worker.said, worker.killed = [], [], 0
     window.scanner.now = time.monotonic
     window.scanner.wait.setInterval(SCAN_WAIT_MS)
-    app_state.force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
-    app_state.force_timer.stop()
+    app_state.off.force_timer.setInterval(3_600_000)  # a test calls it, and no clock does
+    app_state.off.force_timer.stop()
     app_state.run.forget()
     app_state.scan_vm.put_away()
     app_state.forget()

@@ -164,12 +164,12 @@ def test_a_run_that_has_its_coils_at_zero_is_left_to_stop_the_platform_and_to_as
     worker = running.app_state.bench_worker
     says(running, (0.0, 0.0, 1.0), platform=stands(moving=True))
     running.app_state.off.order()
-    running.app_state.force_timer.timeout.emit()
+    running.app_state.off.force_timer.timeout.emit()
     assert worker.killed == 1  # it did not get there
     worker.killed = 0
     says(running, platform=stands(moving=True))
-    running.app_state.force_timer.timeout.emit()
-    assert (worker.killed, running.app_state.force_timer.isActive()) == (0, True)
+    running.app_state.off.force_timer.timeout.emit()
+    assert (worker.killed, running.app_state.off.force_timer.isActive()) == (0, True)
 
 
 def switched_off_after(window, witness):

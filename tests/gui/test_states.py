@@ -68,8 +68,8 @@ def test_coils_off_is_heard_in_every_state(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
     assert brought.app_state.bench_worker.said == [Abort()]
     assert brought.app_state.run.state == "stopping"
-    assert brought.app_state.force_timer.isActive()
-    brought.app_state.force_timer.timeout.emit()  # what happens where the run does not come to its end
+    assert brought.app_state.off.force_timer.isActive()
+    brought.app_state.off.force_timer.timeout.emit()  # what happens where the run does not come to its end
     assert brought.app_state.bench_worker.killed == 1
     assert isinstance(brought.app_state.off_worker.asked[-1].command, SwitchOff)
 
@@ -77,7 +77,7 @@ def test_coils_off_is_heard_in_every_state(qtbot, brought):
 def test_a_run_that_comes_to_its_end_by_itself_leaves_nothing_behind_that_could_kill_the_next(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
     end(brought, "failed: aborted by the operator")
-    assert not brought.app_state.force_timer.isActive()
+    assert not brought.app_state.off.force_timer.isActive()
 
 
 def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(brought):

@@ -68,12 +68,10 @@ class Live(QWidget):
         row.setSpacing(2 * GRID)
         left = self._left()
         row.addWidget(left, 2)
-        right = QSplitter()
-        right.setOrientation(Qt.Orientation.Vertical)
+        right = QSplitter(Qt.Orientation.Vertical)
         right.setChildrenCollapsible(False)
         right.setHandleWidth(2 * GRID)
-        middle = self._middle()
-        right.addWidget(middle)
+        right.addWidget(middle := self._middle())
         self._holders = (left, middle, self._picture)
         self.below = MeasuredCard(self._theme)
         self.table = self.below.table
@@ -106,8 +104,7 @@ class Live(QWidget):
         self._show()
 
     def _left(self) -> QWidget:
-        self.title = label("", "title", wrap=True)
-        self.whose = label("", wrap=True)
+        self.title, self.whose = label("", "title", wrap=True), label("", wrap=True)
         self.whose.setAccessibleName(self.tr("Whose run this is"))
         self.time_left = TimeLeft(self._run)
         self.steps = StepList()

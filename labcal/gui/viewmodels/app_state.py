@@ -72,15 +72,15 @@ class AppState(QObject):
         super().__init__()
         self.settings = settings or window_settings()
         self.quick_worker, self.bench_worker = Client(self), Client(self, WATCHED) if watched else Client(self)
-        self.fit_worker, self.second_fit_worker, self.off_worker = Client(self), Client(self), Client(self)
+        self.fit_worker, self.second_fit_worker = Client(self), Client(self)
+        self.off_worker, self.watch_worker = Client(self), Client(self)
         self.lab, self.run = LabViewModel(), RunViewModel(self.bench_worker)
         self.scan_vm, self.study_vm = ScanViewModel(self.lab), StudyViewModel(self.fit_worker, self.second_fit_worker)
         self.login = LoginViewModel(self.lab, self.run)
         self.path = PathViewModel(self.lab, self.run, self.study_vm, HandedOut(self.settings))
         self.archived = ArchivedViewModel(Client(self))
-        looks = self.watch_worker = Client(self)
-        self.watch = LabWatch(looks, self.lab, self._may_be_read, lambda: self.off.to_be_read(), self._take_read,
-                              lambda: supplies(self.facts).values())  # fmt: skip
+        to_be_read, coils = lambda: self.off.to_be_read(), lambda: supplies(self.facts).values()
+        self.watch = LabWatch(self.watch_worker, self.lab, self._may_be_read, to_be_read, self._take_read, coils)
         self.one_dut = OneDut(self.settings, self.lab, self.run, (self.study_vm, self.path, self.scan_vm))
         self.study_vm.drafted.connect(self.calibrations_changed)
         self.study_vm.added.connect(self.store_changed)
@@ -102,7 +102,6 @@ class AppState(QObject):
         self.off: CoilsOff = CoilsOff(self)
         self.left = LeftWithoutEnd(self)
         self.left.changed.connect(lambda: self.grow_old())
-        self.force_timer = self.off.force_timer
         self.run.changed.connect(self._update_run)
         self.run.ended.connect(self._ended)
         name = str(self.settings.value("operator", ""))
@@ -299,7 +298,7 @@ class AppState(QObject):
 
     def _ended(self, run_id: str, status: str) -> None:
         """Where the worker died, or no coil was read back at zero: to zero with them. What was wanted is added."""
-        self.force_timer.stop()  # the next run is not to pay for this one
+        self.off.force_timer.stop()  # the next run is not to pay for this one
         if self.facts is None and self.bench:  # of a run that could not be come back to
             self.open_bench(self.bench)
         order = self.run.order
@@ -393,7 +392,7 @@ class AppState(QObject):
 
     def close(self) -> None:
         """Hang up everywhere: a run aborts, its coils go to zero. Nothing is begun after that."""
-        for ends in (self.force_timer.stop, self.age_timer.stop, self.watch.timer.stop, self.left.close):
+        for ends in (self.off.force_timer.stop, self.age_timer.stop, self.watch.timer.stop, self.left.close):
             ends()
         self.bench_worker.close(8000)
         self.watch.stop()
