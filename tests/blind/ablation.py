@@ -136,7 +136,7 @@ def table(rows: list[dict[str, Any]]) -> str:
         more, fewer = (sum((len(wrong(b)) - len(wrong(a))) * s > 0 for a, b in pairs) for s in (1, -1))
         larger = sum(b["fresh"] > WORSE * a["fresh"] for a, b in pairs)
         smaller = sum(a["fresh"] > WORSE * b["fresh"] for a, b in pairs)
-        name = rule.removeprefix("selection.").replace("_", " ").strip()
+        name = rule.removeprefix("selection.").replace("._", ".").replace("_", " ")
         lines.append(f"| {name} | {len(pairs)} | {lost} | {won} | {more}, {fewer} | {larger}, {smaller} |")
     return "\n".join([*lines, "", f"{len(rows)} runs."])
 
