@@ -45,9 +45,9 @@ def test_the_calibration_in_sight_is_that_which_next_signs_or_it_says_so(still):
     app_state.path.take_calibrations((calibration(signed=False),))
     still.open_page("Certificate")
     app_state.one_dut.take_calibration(replace(calibration(signed=False), run_id="r0"))
-    assert still.next.text() == "Next: Approve and sign" + of(RUN)
+    assert still.next.text().endswith(of(RUN))
     app_state.one_dut.take_calibration(calibration(signed=False))
-    assert still.next.text() == "Next: Approve and sign"
+    assert " · run of" not in still.next.text()
 
 
 @pytest.mark.parametrize("last", ["interrupted", "a finished one after it"])

@@ -273,7 +273,7 @@ class CertificatePage(QWidget):
         """What is next, and why who approves has to think."""
         path = self._app_state.path
         step = to_be_done([step.mark for step in stands])
-        path.take_step(one.run_id, step)
+        path.take_step(one, step)
         self.to_do.setText(comes_first(path, one) or next_is(step))
         self.doubt.setText(" ".join(filter(None, (doubts(one), not_traced(path, one)))))
         for part in (self.to_do, self.doubt):

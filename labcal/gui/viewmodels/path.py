@@ -80,7 +80,7 @@ class PathViewModel(QObject):
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with, once these are known
         self.listed = False  # whether the store has been read
         self.files: tuple[CalibrationFile, ...] = ()
-        self._steps: dict[str, str] = {}  # by run: the step that the Certificate page says is next of its draft
+        self._step: tuple[object, str] = (None, "")  # which state of which file the Certificate page shows; its step
         self.results = dict[str, RunResult]()  # of runs, as far as they were told: no window asks for them anew
         self.refused = ""  # of the form on the Run page, where it is that of the preflight
         self.begins = ""  # the procedure that Begin there begins, whichever it is
@@ -94,6 +94,7 @@ class PathViewModel(QObject):
 
     def take_calibrations(self, files: tuple[CalibrationFile, ...]) -> None:
         """The calibrations of the lab, the newest first."""
+        self._step = (None, "")  # the page says it of these
         self.files = files
         self.changed.emit()
 
@@ -102,10 +103,10 @@ class PathViewModel(QObject):
         self.handed_out.add(one)
         self.changed.emit()
 
-    def take_step(self, run_id: str, step: str) -> None:
-        """What the cards of this run's calibration say is to be done now; Next says it in the same words."""
-        if self._steps.get(run_id, "") != step:
-            self._steps[run_id] = step
+    def take_step(self, file: CalibrationFile, step: str) -> None:
+        """What the cards of this calibration say is to be done now; Next says it in the same words."""
+        if self._step != (said := (_state_of(file), step)):
+            self._step = said
             self.changed.emit()
 
     def close(self, run_id: str) -> None:
@@ -257,7 +258,8 @@ class PathViewModel(QObject):
         if file is None or not file.standing.signatures:
             unseen = file is not None and not file.approvers
             words = self.tr("Approve and sign") if unseen else self.tr("Sign")
-            words = translated(self._steps.get(last.run_id, "")) or words
+            of, step = self._step
+            words = translated(step) if step and file is not None and of == _state_of(file) else words
             return Next("Certificate", words, of=last.run_id)
         standing = file.standing
         if not standing.valid:
@@ -311,3 +313,8 @@ class PathViewModel(QObject):
 
     def _file(self, last: RunLine) -> CalibrationFile | None:
         return self.kept(last.run_id)
+
+
+def _state_of(file: CalibrationFile) -> tuple[object, ...]:
+    """What another step goes with: a new draft has the name of the one before, and is not signed."""
+    return file.run_id, file.path, file.approvers, file.standing
