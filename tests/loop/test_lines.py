@@ -182,7 +182,7 @@ def test_mains_whose_image_has_few_periods_in_a_segment_or_not_one_are_found(cyc
     assert abs(found[0] - line_Hz) < 0.5 / np.ptp(t_s)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (1, 2, 3))])
 def test_a_slow_wave_that_begins_anew_in_each_segment_is_no_line(making: ModuleType, tmp_path: Path, seed: int) -> None:
     """Of thousands of frequencies that fold there some have nearly the phases that chance gave six segments."""
     rows, segments = making.recorded()
