@@ -50,6 +50,14 @@ def test_the_calibration_in_sight_is_that_which_next_signs_or_it_says_so(still):
     assert " · run of" not in still.next.text()
 
 
+def test_the_step_of_a_signed_file_is_not_that_of_a_new_draft_of_the_run(still):
+    path = still.app_state.path
+    path.take_runs((replace(RUN, verdict="explained"),))
+    path.take_calibrations((calibration(signed=False),))
+    path.take_step(calibration(), "Hand it out (4)")
+    assert "Hand it out" not in still.next.text()
+
+
 @pytest.mark.parametrize("last", ["interrupted", "a finished one after it"])
 def test_start_has_in_blue_what_next_goes_on_with_and_no_other(still, last):
     """A run that broke off was the blue button, and Next led to the fit of a later one."""

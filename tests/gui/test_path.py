@@ -103,14 +103,6 @@ def test_the_sidebar_says_how_far_this_dut_is_and_next_leads_on(still, path, qtb
     assert still.stack.currentWidget() is still.lazy_pages[page]
 
 
-def test_the_step_of_a_signed_file_is_not_that_of_a_new_draft_of_the_run(still, path):
-    signed, draft = calibration(), HOW_FAR["traced"][1][0]
-    path.take_runs((DONE,))
-    path.take_calibrations((draft,))
-    path.take_step(signed, "Hand it out (4)")
-    assert "Hand it out" not in still.next.text()
-
-
 def test_another_dut_has_a_path_of_its_own(still, path):
     path.take_runs((ANOTHER, RUN))
     still.app_state.set_identity(dut="EM-08")

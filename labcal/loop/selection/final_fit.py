@@ -37,11 +37,9 @@ def final_fit(
     """
     not_carried, insignificant, beyond_half = dict[Cause, float](), dict[Cause, float](), set[Cause]()
     while found.accepted:
-        found, fitted = in_full(problem, found, nearest_fit(problem, found))
+        found, fitted = taken_apart(*in_full(problem, found, nearest_fit(problem, found)))
         left = in_sample_rms(fitted)
-        if carried := carries_them(left, found):
-            found, fitted = taken_apart(found, fitted)
-        if not carried:
+        if not carries_them(left, found):
             place = _least_missed(problem, found)
             not_carried[found.accepted[place].cause] = left
         elif (large := _beyond_half(found, fitted)) is not None:

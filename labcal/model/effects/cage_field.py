@@ -21,14 +21,14 @@ from labcal.record.run import Channel
 
 HARMONICS = (1, 2, 3)  # of the platform angle
 MOST_MOUNTINGS = 30  # in which the angle may count from a zero of its own
-NAME = re.compile(r"(q)?([a-z]*\d?)_([xyzuvw]{1,2})")
+NAME = re.compile(r"(q)?([a-z]*\d?)_([xyzuvw])")
 
 
 def kernel(term: Term, scene: Scene) -> Array:
     """E = R (c + Σ_h c_h cos hθ + s_h sin hθ), R into the body, θ the platform angle; `rest_x` … where none is.
 
     `q_x`, `qcos1_x` … for each unit of a channel, `step_x` … from t_step on. θ counts from `zero_2_rad` in the second
-    mounting. `bx_y` along y of C for each unit of the reference along x, `b_xy` also along x for each along y,
+    mounting. `bx_y` along y of C for each unit of the reference along x, `bsx_y` also along x for each along y,
     `bturn_z` the reference turned about z; `t…` of iron that turns with the table (`effects.iron`).
     """
     assert scene.rig is not None
@@ -38,8 +38,8 @@ def kernel(term: Term, scene: Scene) -> Array:
     for place, part in enumerate(parts):
         if part.kind.startswith("t"):
             out[:, :, place] = iron.column(part.kind, part.along, turned, rig.prediction_nT)
-        elif part.kind == "b":
-            out[:, :, place] = _both_ways(rig, *(AXES.index(a) for a in part.along))
+        elif part.kind.startswith("bs"):
+            out[:, :, place] = _both_ways(rig, AXES.index(part.kind[-1]), AXES.index(part.along))
         elif part.kind == "bturn":
             turned_nT = np.cross(np.eye(3)[AXES.index(part.along)], rig.reference_nT)
             out[:, :, place] = np.einsum("nij,nj->ni", rig.to_body, turned_nT)

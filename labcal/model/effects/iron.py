@@ -20,7 +20,7 @@ Names = tuple[tuple[str, str], ...]
 TABLE = ("u", "v", "w")  # axes that turn with the table, w along the platform's
 REMANENT = tuple((f"t_{a}", "nT") for a in TABLE)
 BESIDE: Names = tuple((f"b{driven}_{a}", "1") for driven, a in product(AXES, AXES))
-SYMMETRIC: Names = tuple((f"b_{one}{other}", "1") for one, other in combinations_with_replacement(AXES, 2))
+SYMMETRIC: Names = tuple((f"bs{one}_{other}", "1") for one, other in combinations_with_replacement(AXES, 2))
 SURE = 2.0  # standard uncertainties
 ON_TABLE: Names = (*REMANENT, *((f"t{driven}_{a}", "1") for driven, a in product(TABLE, TABLE)))
 
@@ -35,7 +35,7 @@ def diagonal(names: Sequence[str]) -> tuple[str, ...]:
 
     A dipole's field tensor has no trace, nor has its product with the answer of a body that is alike in all directions.
     """
-    wholes = ([f"b{a}_{a}" for a in AXES], [f"b_{a}{a}" for a in AXES], [f"t{a}_{a}" for a in TABLE])
+    wholes = ([f"b{a}_{a}" for a in AXES], [f"bs{a}_{a}" for a in AXES], [f"t{a}_{a}" for a in TABLE])
     return next((tuple(whole) for whole in wholes if set(whole) <= set(names)), ())
 
 
