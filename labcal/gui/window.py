@@ -343,7 +343,7 @@ class Window(Frame):
 
     def _show_fault(self, fault: Fault) -> None:
         """That coils may be on stays in sight before anything else that goes wrong."""
-        if self.app_state.warning_shown and not self.app_state.says_unconfirmed(fault):
+        if self.app_state.warning_shown and not self.app_state.off.says(fault):
             return self.app_state.lab.update(message=fault.text)
         self.fault.show_fault(fault)
         return self._say_coils()
@@ -354,7 +354,7 @@ class Window(Frame):
 
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""
-        if said := self.app_state.says_unconfirmed(self.fault.fault):
+        if said := self.app_state.off.says(self.fault.fault):
             say_coils(self.fault, self.app_state)
         self.fault.let_check_zero(said and self.app_state.off.zero_in_doubt())
         self.fault.let_close(not (said and self.app_state.still_live()))

@@ -134,9 +134,9 @@ def still(deaf_window):
 
 @pytest.fixture
 def later(still, monkeypatch):
-    """Lets so many seconds go by, for what grows old."""
-    passed = [0.0]
-    clock = staticmethod(lambda: time.monotonic() + passed[0])
+    """Lets so many seconds go by, for what grows old; by itself, however long the test takes, nothing does."""
+    passed, began_s = [0.0], time.monotonic()
+    clock = staticmethod(lambda: began_s + passed[0])
     monkeypatch.setattr(app_state, "time", type("Later", (), {"monotonic": clock}))
 
     def go(seconds):

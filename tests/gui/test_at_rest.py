@@ -168,7 +168,7 @@ def test_it_stands_there_in_every_state_of_a_run(running):
 def test_the_reading_that_confirmed_the_zero_is_shown_in_the_panel_the_table_and_the_cage(still, later):
     app_state, page = still.app_state, still.page("Bench")
     still.open_page("Bench")
-    now = time.monotonic()
+    now = app_state.now_s()
     seen = (20_400.0, 1_150.0, -43_700.0)
     app_state.run.last.values["reference"] = ("x", "y", "z"), np.array([50_000.0, 0.0, 0.0])  # with the coils on
     app_state.run.last.read_s["reference"] = now - 9.0

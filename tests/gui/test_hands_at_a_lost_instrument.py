@@ -35,8 +35,9 @@ def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_wit
     assert card.hands.text() == "▲ Hands off: the platform is not being read"
     app_state.watch.look()
     read(running, AMBIENT)
-    says(running, platform=stands(moving=True))
-    app_state.take_lab(lab(platform=stands(moving=True)))
+    turned = stands(moving=True, age_s=2.0 * WATCHED_S)
+    says(running, platform=turned)
+    app_state.take_lab(lab(platform=turned))
     card.say_hands()
     assert card.hands.text() == "✕ Hands off"
     assert "platform NOT confirmed at a standstill" in card.turning.text()  # once on one card

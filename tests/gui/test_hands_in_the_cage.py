@@ -1,6 +1,5 @@
 """What a technician is told whose hands are in the cage: true at each moment, said once, and what is to be done."""
 
-import time
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +14,7 @@ from labcal.gui.ipc.answers import CoilEnd, Ended, SwitchedOff
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.messages import Identify, ResumeRun, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.viewmodels import app_state as window_clock
 from labcal.gui.viewmodels.known_lab import AMBIENT_S, ANSWERS_S, LOST_FIRST_S, KnownLab
 from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.record import Segment
@@ -42,13 +42,18 @@ def real(still):
     return still
 
 
+def now_s():
+    """By the window's clock, which `later` puts forward."""
+    return window_clock.time.monotonic()
+
+
 def send(window, *items):
     window.app_state.bench_worker.items.emit(items)
 
 
 def lab(currents=(0.0, 0.0, 0.0), platform=None, faulty=(), witness=None):
-    """Just read; a current of None was not, as the supply is lost."""
-    now = time.monotonic()
+    """Just read, by the window's clock; a current of None was not, as the supply is lost."""
+    now = now_s()
     coils = (
         CoilReading(a, None, i, i is not None and not i, None, now, "the link was lost" if i is None else "")
         for a, i in zip("xyz", currents, strict=True)
@@ -68,7 +73,7 @@ def headline(window):
 
 
 def stands(moving=False, age_s=0.0):
-    return PlatformReading(40.0, moving, time.monotonic() - age_s)
+    return PlatformReading(40.0, moving, now_s() - age_s)
 
 
 def test_between_two_questions_nobody_is_called_away_before_anything_moves(running):
@@ -149,6 +154,7 @@ def test_what_a_run_read_back_at_zero_before_it_ended_is_not_to_be_switched_off_
 
 def test_but_what_a_run_that_broke_off_read_may_be_on_since(running, later):
     says(running, (0.0, 0.0, None))
+    later(0.1)
     running.app_state.bench_worker.asked[-1].failed(Fault("crash", "It broke."))
     later(ANSWERS_S + 1.0 + LOST_FIRST_S)
     assert running.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_x, supply_y, supply_z"
@@ -180,13 +186,13 @@ def switched_off_after(window, witness):
 
 
 def zeros():
-    return tuple(CoilEnd(a, 0.0, "zero, open", True, time.monotonic()) for a in "xyz")
+    return tuple(CoilEnd(a, 0.0, "zero, open", True, now_s()) for a in "xyz")
 
 
 def read(window, field_nT):
     """Answer who is read again."""
     (asked,) = window.app_state.watch_worker.commands(ReadLab)
-    facts, now = window.app_state.facts, time.monotonic()
+    facts, now = window.app_state.facts, now_s()
     said = []
     for name in asked.names:
         one = facts.instruments[name]
@@ -209,7 +215,7 @@ def read(window, field_nT):
     ],
 )
 def test_after_coils_off_in_a_run_the_reference_is_asked_again(real, running, sees, words):
-    switched_off_after(running, Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2e3, time.monotonic()))
+    switched_off_after(running, Witness("agrees", "", AMBIENT, AMBIENT, 0.0, 2e3, now_s()))
     names = read(running, sees)
     assert {"reference", "stage", "supply_x", "supply_y", "supply_z"} <= set(names)
     assert running.side.zero_words.text().startswith(words)
@@ -218,7 +224,7 @@ def test_after_coils_off_in_a_run_the_reference_is_asked_again(real, running, se
 def test_with_coils_on_the_ambient_field_is_what_the_reference_saw_less_the_coils(real, running):
     matrix, on = np.array(running.app_state.facts.cage.matrix), (0.0, 0.0, 1.0)
     seen = tuple((matrix @ on + AMBIENT).tolist())
-    says(running, on, witness=Witness("agrees", "", seen, seen, 0.0, 7e3, time.monotonic()))
+    says(running, on, witness=Witness("agrees", "", seen, seen, 0.0, 7e3, now_s()))
     running.app_state.bench_worker.asked[-1].failed(Fault("ended", "The work was ended by this window."))
     running.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros()))
     read(running, AMBIENT)
@@ -268,7 +274,7 @@ def test_under_a_card_that_says_the_coils_may_be_on_there_is_no_second_headline(
 )
 def test_a_red_card_after_coils_off_says_how_the_platform_is(still, platform, said, large):
     if platform is not None and platform.read_s is not None:  # those above were made when this file was read
-        platform = replace(platform, read_s=time.monotonic() - (12.0 if platform.moving else 0.0))
+        platform = replace(platform, read_s=now_s() - (12.0 if platform.moving else 0.0))
     still.app_state.take_lab(lab((0.0, 0.0, None), platform=platform))
     still.app_state.off.order()
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff((*zeros()[:2], CoilEnd("z", None, "lost", False))))

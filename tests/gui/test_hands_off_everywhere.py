@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtWidgets import QLabel
-from test_hands_in_the_cage import MOUNT, READY, lab, says, send, stands
+from test_hands_in_the_cage import MOUNT, READY, lab, now_s, says, send, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
 
@@ -129,6 +129,16 @@ def test_at_a_mounting_and_after_a_failure_a_reading_is_as_old_by_the_same_rule(
     live.fault.say_hands()
     assert live.fault.hands.text().startswith("▲ Hands off: ")
     assert live.prompt.hands.text() == live.fault.hands.text()
+
+
+def test_one_age_is_said_once(real, running, later):
+    """Supplies and reference are as old as one another: the sentence is long enough."""
+    send(running, MOUNT)
+    says(running, platform=stands(), witness=Witness(why=BEFORE_HANDS, read_s=now_s()))
+    later(FRESH_S + 1.0)
+    assert running.page("Run").live.prompt.hands.text() == (
+        f"● Hands may go in: coils read back at zero by their supplies, 3 s ago; {BEFORE_HANDS}"
+    )
 
 
 def test_what_proves_the_zero_is_said_to_who_reaches_in(running):

@@ -10,7 +10,8 @@ from labcal.bench.coils.state import FRESH_S
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.gui.viewmodels.lab_watch import LOOK_MS
-from labcal.record.stream import Event, Step
+from labcal.gui.widgets.prompt_card import STANDS
+from labcal.record.stream import Event, Prompt, Step
 
 ORDER = RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe")
 
@@ -40,6 +41,14 @@ def test_a_run_that_begins_is_no_time_to_reach_in(at_zero):
     assert hands(at_zero) == BEGINS
     says(at_zero, platform=stands())
     assert hands(at_zero)[1] == "alone"
+
+
+def test_what_a_run_asks_at_once_is_not_hidden_by_the_lab_of_before(still):
+    """Else a question that sends hands to the DUT reads "Hands off" until the next look at the ages."""
+    still.app_state.grow_old()
+    still.app_state.run.start(ORDER)
+    send(still, Prompt(0.0, STANDS, "Is the DUT still mounted with body X up?", ("yes", "no"), acts=True))
+    assert still.page("Run").live.prompt.text.text().startswith("Is the DUT")
 
 
 def test_nor_is_one_that_is_gone_on_with(at_zero):

@@ -193,7 +193,7 @@ def test_the_headline_after_coils_off_is_green_only_as_long_as_both_have_just_be
     app_state, live = still.app_state, still.page("Run").live
     app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     app_state.off.order()
-    now = time.monotonic()
+    now = app_state.now_s()
     coils = tuple(CoilReading(axis, 0.0, 0.0, True, True, now) for axis in "xyz")
     app_state.bench_worker.states.emit(
         LabState(coils, Witness("agrees", "", read_s=now), platform=PlatformReading(223.0, False, now))

@@ -47,7 +47,7 @@ def test_whether_hands_may_go_in_is_seen_whole_at_a_question_after_an_interrupti
     assert card.hands.mapTo(rolled, card.hands.rect().bottomLeft()).y() < rolled.viewport().height()
 
 
-def test_the_longest_reservation_is_whole_below_the_longest_such_question(still, sized):
+def test_the_longest_reservation_is_whole_below_the_longest_such_question(still, sized, later):
     """As a preflight asks it, gone on with at 1024 × 700, on a bench that began anew."""
     whole = "Is the DUT still mounted with body X up, exactly as it was before the interruption?"
     still.open_page(by_word(still, replace(STANDS, text=whole)))

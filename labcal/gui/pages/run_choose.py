@@ -244,7 +244,7 @@ class Choose(QWidget):
             self._needs_of = self._as_set(self._procedures[self.list.currentItem().text()])
         self._check()
         if self.form is not None and self.form.valid():
-            self._app_state.put_away_said()
+            self._app_state.said_for_now.put_away()
 
     def _forget_plan(self) -> None:
         self._rehearsed = self._planned = None

@@ -91,7 +91,6 @@ class AppState(QObject):
         self.wanted: Wanted | None = None
         self.said_for_now, self._said_no_more = SaidForNow(self.lab), SaidNoMore(self.lab, self.run)
         self.said_at_the_end = SaidAtTheEnd(self.lab, self.run, self.said_for_now)
-        self.put_away_said = self.said_for_now.put_away
         self.kept = KnownLab()
         self._taken: state.LabState | None = None  # from the run
         self.warning_shown = False  # the card that says so
@@ -235,11 +234,11 @@ class AppState(QObject):
             name = operator.strip()
             self.lab.update(operator=name, operator_objection=name_objection(name))
             self.settings.setValue("operator", name)
-        self.put_away_said()
+        self.said_for_now.put_away()
 
     def scan(self, serial: str) -> None:
         """A scanner read this where no field waited for it: is it the DUT's serial? A run may ask for it."""
-        self.put_away_said()
+        self.said_for_now.put_away()
         if self.run.asks_serial and self.path.may_answer():
             self.run.answer(serial)
         elif self.run.alive:
@@ -312,10 +311,6 @@ class AppState(QObject):
             return self.off.switch_off(read_back=fault.kind not in BROKEN)
         return self.kept.answered()
 
-    def says_unconfirmed(self, fault: Fault | None) -> bool:
-        """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""
-        return fault is not None and fault in (self.off.unconfirmed, self.off.turning)
-
     def still_live(self) -> bool:
         """Whether a supply fell silent with a current, or a platform may turn that was to stand: that card stays."""
         return bool(self.lab.state.now.silent_with_current) or self.off.turning is not None
@@ -378,9 +373,11 @@ class AppState(QObject):
         if run.lab is not None and run.lab is not self._taken:
             self._taken, self.kept.asked = run.lab, False
             self.take_lab(run.lab)
+        elif self.lab.state.now.driven is not run.alive:  # what it asks at once is not shown beside the lab of before
+            self.grow_old()
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
+        off = OFF if measuring and run.state == "running" else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
-        off = OFF if waits and waits == measuring else ""
         self.lab.update(message=self.said_at_the_end.line(), waiting=waits, waiting_state=off, **self._at_hands())
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:

@@ -171,6 +171,10 @@ class CoilsOff(QObject):
         to_be_seen = self._report is not None and not self._window.run.alive
         return replace(self.earlier.seen_in(now), stop_unseen=to_be_seen)
 
+    def says(self, fault: Fault | None) -> bool:
+        """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""
+        return fault is not None and fault in (self.unconfirmed, self.turning)
+
     def to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
         window = self._window

@@ -124,5 +124,6 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
         return words, mark
     if mark == "good":  # what is as old as that is green nowhere
         words, mark = words.replace("✓", "●", 1), ALONE
+    age = f", {age_words(age_s)}"
     said, apart, why = words.partition("; ")
-    return f"{said}, {age_words(age_s)}{apart}{why}", mark
+    return f"{said}{age}{apart}{why.removesuffix(age)}", mark  # what is as old as that is not dated twice
