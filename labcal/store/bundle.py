@@ -102,9 +102,9 @@ def bundle_files(path: Path) -> list[Path]:
 
 
 def save_bundle(bundle: Bundle, path: Path) -> None:
-    """Write the bundle to `path`: a zip where the name ends in .zip, else a folder."""
+    """Write the bundle to `path`: a zip where the name ends in .zip, the same bytes on every PC; else a folder."""
     if path.suffix.lower() == ".zip":
-        write_bytes(path, zipped(bundle))
+        write_bytes(path, zip_of(_members_of(bundle), zlib))
         return
     if path.exists() and not path.is_dir():
         raise InputError("is a file; a bundle is a folder, or a name that ends in .zip", file=path)

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from labcal.store import load_bundle, zipped_as
+from labcal.store import load_bundle, save_bundle, zipped_as
 from labcal.store.zip_writing import LEVEL, deflaters, zip_of
 
 FILES = [("run.json", b'{"a": 1}\n'), ("samples.csv", b"t_s,dut_x\n" + b"0.025,1\n" * 9_000), ("chain.jsonl", b"")]
@@ -46,6 +46,14 @@ def test_without_isal_zlib_makes_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "isal.isal_zlib", None)
     assert list(deflaters()) == [zlib]
     assert zip_of(FILES) == zip_of(FILES, zlib)
+
+
+def test_what_is_written_for_a_person_is_the_same_whatever_is_installed(bundle, tmp_path: Path) -> None:
+    """Two PCs that export one run can hold their zips against each other."""
+    found = load_bundle(bundle())
+    save_bundle(found, path := tmp_path / "run.zip")
+    files = [("run.json", found.run_json), ("samples.csv", found.samples_csv), ("chain.jsonl", found.chain)]
+    assert path.read_bytes() == zip_of([(name, content) for name, content in files if content], zlib)
 
 
 def test_a_zip_is_made_again_as_it_was_whichever_deflate_made_it(bundle) -> None:
