@@ -2,13 +2,15 @@
 
 When a load that holds its levels was switched between two samples nobody knows: on the way from one level to the next
 it was at either. The straight line is its mean there, f of the way from one end; the variance about it is f (1 − f) of
-the step's square, if the moment is as likely anywhere between the two samples.
+the step's square, if the moment is as likely anywhere between the two samples. A pulse that one sample saw is drawn
+there and back again, and a segment may begin or end on the way: the load was at two levels all the same.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,14 +65,49 @@ def _at_either_level(record: EffectRecord, recording: Recording) -> list[Recordi
     ends: tuple[dict[str, Array], dict[str, Array]] = ({}, {})
     for name in () if of_temperature(record) else record.channels:
         values = recording.readings.channels[name]
-        for way in _ways(values, recording.edges):
-            for channels, end in zip(ends, (way.start, way.stop - 1), strict=True):
-                channels.setdefault(name, values.copy())[way] = values[end]
+        for way in _straight_ways(values, recording.edges):
+            for channels, level in zip(ends, (way.before, way.after), strict=True):
+                channels.setdefault(name, values.copy())[way.rows] = level
     return [
         replace(recording, readings=replace(recording.readings, channels={**recording.readings.channels, **channels}))
         for channels in ends
         if channels
     ]
+
+
+@dataclass(frozen=True, slots=True)
+class _StraightWay:
+    """The rows from one sample to the next, and the levels there."""
+
+    rows: slice
+    before: float
+    after: float
+
+
+def _straight_ways(values: Array, edges: NDArray[np.intp]) -> list[_StraightWay]:
+    """Each way from level to level; one there and back, of a pulse that one sample saw, is two.
+
+    Of one that begins before its segment, or ends after it, the level out of sight is as far as the rows of a whole way
+    lead at its slope: one sample comes as soon after another.
+    """
+    ways = [straight for way in _ways(values, edges) for straight in _turned_back(values, way)]
+    cut = [(way.start in edges[1:-1] or way.start == 0, way.stop in edges) for way in ways]
+    whole = [way.stop - way.start for way, (begins, ends) in zip(ways, cut, strict=True) if not (begins or ends)]
+    rows = int(np.median(whole)) if whole else 0
+    found = []
+    for way, (begins, ends) in zip(ways, cut, strict=True):
+        before, after = values[way.start], values[way.stop - 1]
+        more = (after - before) * max(rows - (way.stop - way.start), 0) / max(way.stop - 1 - way.start, 1)
+        found.append(_StraightWay(way, float(before - more * begins), float(after + more * ends)))
+    return found
+
+
+def _turned_back(values: Array, way: slice) -> Iterator[slice]:
+    """The parts of a way between which it turns back, each with the row where it does."""
+    step = np.diff(values[way])
+    corners = way.start + 1 + np.flatnonzero(step[1:] * step[:-1] < 0)
+    for start, stop in pairwise([way.start, *corners.tolist(), way.stop - 1]):
+        yield slice(start, stop + 1)
 
 
 def _ways(values: Array, edges: NDArray[np.intp]) -> Iterator[slice]:
@@ -84,9 +121,11 @@ def _ways(values: Array, edges: NDArray[np.intp]) -> Iterator[slice]:
     if np.mean(moves) > 1 - MOSTLY or not _holds_levels(values, moves, edges):
         return
     begins = np.diff(np.concatenate([[0], moves.astype(np.int8), [0]]))
-    for start, stop in zip(np.flatnonzero(begins > 0).tolist(), np.flatnonzero(begins < 0).tolist(), strict=True):
-        if _straight_on(step[start:stop]):
-            yield slice(start, stop + 1)
+    moving = list(zip(np.flatnonzero(begins > 0).tolist(), np.flatnonzero(begins < 0).tolist(), strict=True))
+    ways = [(start, stop) for start, stop in moving if _straight_on(step[start:stop])]
+    if ways:  # then a step alone at the edge of a segment is the rest of one
+        ways += [(a, b) for a, b in moving if b == a + 1 and (a in edges or b + 1 in edges)]
+    yield from (slice(start, stop + 1) for start, stop in ways)
 
 
 def _holds_levels(values: Array, moves: Mask, edges: NDArray[np.intp]) -> bool:

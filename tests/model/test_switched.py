@@ -57,3 +57,22 @@ def test_a_load_that_is_seen_to_switch_and_one_that_never_rests_are_known() -> N
         reading = np.array([30e3, 0.0, 0.0]) + np.outer(seen, C_nT_A)
         found = apply(calibration(), Readings(reading, n * 1.0, np.zeros(400), channels={"i_heater": seen}))
         assert found.u_nT == pytest.approx(NOISE_nT)
+
+
+@pytest.mark.parametrize("rows_of_a_segment", [40_000, 37])
+def test_so_it_is_where_one_sample_saw_a_pulse_and_where_a_segment_ends_on_the_way(rows_of_a_segment: int) -> None:
+    """Drawn there and back again, the load seems to end where it began: it was away all the same."""
+    rng, n = np.random.default_rng(7), 40_000
+    moments = np.cumsum(np.where(rng.random(n // EVERY) < 0.5, rng.integers(EVERY, 2 * EVERY, n // EVERY), 8 * EVERY))
+    load = np.searchsorted(moments, np.arange(n), side="right") % 2 * 0.8
+    seen = np.interp(np.arange(n), np.arange(0, n, EVERY), load[::EVERY])
+    field = np.array([30e3, 0.0, 0.0]) + rng.normal(0, NOISE_nT, (n, 3))
+    readings = Readings(
+        field + np.outer(load, C_nT_A), np.arange(float(n)), np.arange(n) // rows_of_a_segment,
+        channels={"i_heater": seen},
+    )  # fmt: skip
+    found = apply(calibration(), readings)
+    error = found.field_nT - [30e3, 0.0, 0.0]
+    between = (seen > 0.01) & (seen < 0.79)
+    part = np.sqrt(np.mean(error[between] ** 2, axis=1)) / found.u_nT[between]
+    assert np.sqrt(np.mean(part**2)) == pytest.approx(1.0, abs=0.15)
