@@ -79,7 +79,7 @@ def stopped_after(lab: Served, order: Any) -> float:
     return took
 
 
-@pytest.mark.parametrize("dead", ["z", "yz", "xyz"])
+@pytest.mark.parametrize("dead", [pytest.param("z", marks=pytest.mark.slow), "yz", "xyz"])
 def test_in_the_way_out_of_a_run(lab: Served, dead: str) -> None:
     with closing(open_bench(lab.file)) as bench:
         bench.cage.set_currents([0.3, 0.2, 0.2])
@@ -98,7 +98,7 @@ def test_in_the_way_out_of_a_run(lab: Served, dead: str) -> None:
         assert bench.stop_platform().startswith("platform stands at ")
 
 
-@pytest.mark.parametrize("dead", ["", "z", "xyz"])
+@pytest.mark.parametrize("dead", [pytest.param("", marks=pytest.mark.slow), "z", "xyz"])
 def test_by_whoever_ends_the_process_of_a_run(lab: Served, dead: str) -> None:
     killed_in_a_turn(lab, dead)
     read = list[Any]()

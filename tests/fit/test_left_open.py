@@ -22,11 +22,12 @@ def run_of(axes, rate, seed):
 @pytest.mark.parametrize(
     ("axes", "rate", "seed", "says"),
     [
-        (
+        pytest.param(
             "z",
             "2",
             1,
             "the run determines only 11 combinations of the 12 parameters; open are K_xy, K_yx: ",
+            marks=pytest.mark.slow,
         ),  # the magnitudes alone determine a map, 15 nT are left
         (
             "x",
@@ -35,7 +36,7 @@ def run_of(axes, rate, seed):
             "the field would be uncertain by",
         ),  # all twelve, and by noise alone each by a tenth of the field
         ("x,z", "20", 1, ""),
-        ("x,y,z", "20", 1, ""),
+        pytest.param("x,y,z", "20", 1, "", marks=pytest.mark.slow),
     ],
 )
 def test_one_axis_leaves_a_map_open_and_two_do_not(tmp_path, monkeypatch, axes, rate, seed, says):

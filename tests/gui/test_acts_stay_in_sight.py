@@ -55,7 +55,7 @@ def test_what_is_measured_gives_way_to_the_pictures_below_such_a_card(alarmed):
     assert live.below.isVisible()
 
 
-@pytest.mark.parametrize("high", range(700, 900, 20))
+@pytest.mark.parametrize("high", range(700, 900, 40))
 def test_the_last_row_in_sight_of_what_was_measured_is_a_whole_one(new_window, high):
     many = [replace(WORST, name=f"closure {n}") for n in range(12)]
     begun(new_window, *many)

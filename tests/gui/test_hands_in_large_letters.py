@@ -47,7 +47,7 @@ SITUATIONS = {
 }
 
 
-@pytest.fixture(params=["en", "de", "fr"])
+@pytest.fixture(params=["de", *(pytest.param(language, marks=pytest.mark.slow) for language in ("en", "fr"))])
 def spoken(request, qapp, new_window):
     translate.install_translator(qapp, QLocale(request.param))
     yield new_window

@@ -11,7 +11,7 @@ from labcal.gui.translations import translate
 from labcal.gui.widgets.key_sheet import KeySheet
 
 
-@pytest.fixture(params=["en", "de"])
+@pytest.fixture(params=[pytest.param("en", marks=pytest.mark.slow), "de"])  # German words are longer
 def window(request, qapp, same_window):
     translate.install_translator(qapp, QLocale(request.param))
     yield same_window

@@ -236,6 +236,7 @@ ALWAYS = (  # of each page what fills it most
     "Run, a question with a camera", "Run, finished, details", "Fit", "Loop", "Certificate, a draft",
     "Certificate, a report written", "History, two runs compared",
 )  # fmt: skip
+SHORT = [state if state in ALWAYS else pytest.param(state, marks=pytest.mark.slow) for state in STATES]
 
 
 @pytest.fixture(scope="module")
@@ -290,9 +291,7 @@ def shown(window, state):
     return page
 
 
-@pytest.mark.parametrize(
-    "state", [state if state in ALWAYS else pytest.param(state, marks=pytest.mark.slow) for state in STATES]
-)
+@pytest.mark.parametrize("state", SHORT)
 def test_no_text_is_cut_and_nothing_lies_over_anything_else(still, sized, state):
     page = shown(still, state)
     found = [fault for words in SIZES for fault in faults_at(still, sized, page, words)]
@@ -335,7 +334,7 @@ def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, large, state):
     assert not found, f"{len(found)} faults:\n" + "\n".join(found)
 
 
-@pytest.mark.parametrize("state", STATES)
+@pytest.mark.parametrize("state", SHORT)
 def test_every_page_in_large_letters_is_whole_on_a_usual_screen(still, large, state):
     page = shown(still, state)
     found = list(faults_at(still, large, page, "1440 x 900, F11", LARGE))

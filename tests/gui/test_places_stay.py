@@ -16,7 +16,7 @@ STEPS = ("zero", "axes-check", "mount-x", *TURNS, "closing")
 LONG = "reference: the link was lost (read failed: socket disconnected). Plug it in, see that nobody else has it."
 
 
-@pytest.fixture(params=["en", "de", "fr"])
+@pytest.fixture(params=["de", *(pytest.param(language, marks=pytest.mark.slow) for language in ("en", "fr"))])
 def spoken(request, qapp, same_window):
     translate.install_translator(qapp, QLocale(request.param))
     yield same_window

@@ -65,7 +65,7 @@ def answered(making: ModuleType, folder: Path, iron: np.ndarray, lean_deg: np.nd
     [
         (1e-3, LEAN_deg, ["axis-tilt", "cage-field"]),
         (1e-2, 0.1 * LEAN_deg, ["cage-field"]),  # nobody can tell
-        (1e-2, 0 * LEAN_deg, ["cage-field"]),
+        pytest.param(1e-2, 0 * LEAN_deg, ["cage-field"], marks=pytest.mark.slow),
         (0.0, LEAN_deg, ["axis-tilt"]),
     ],
 )

@@ -16,7 +16,11 @@ WILD = {"offset-current", "outliers"}
 
 @pytest.mark.parametrize(
     ("times", "named"),
-    [(EACH_nT, {"offset-current"}), (ASIDE_nT, WILD), pytest.param(3 * EACH_nT, WILD, marks=pytest.mark.slow)],
+    [
+        (EACH_nT, {"offset-current"}),
+        pytest.param(ASIDE_nT, WILD, marks=pytest.mark.slow),
+        pytest.param(3 * EACH_nT, WILD, marks=pytest.mark.slow),
+    ],
     ids=["the load's own", "another direction", "more than it has ever been"],
 )
 def test_a_row_that_stands_out_as_the_load_would_is_no_wild_reading(times: np.ndarray, named: set[str]) -> None:

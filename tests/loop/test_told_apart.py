@@ -88,6 +88,7 @@ def test_iron_on_the_table_is_found_beside_a_spindle_that_leans(tmp_path: Path) 
     assert closed.after.holdout_rms_nT < 1.15 * closed.noise_floor_nT
 
 
+@pytest.mark.slow
 def test_iron_that_would_give_another_map_is_a_rival(tmp_path: Path) -> None:
     """The coils' own fields at the device fit as well, but beside them the sensor's gain is 1 % off."""
     closed = answer("magnets.py", 65, tmp_path)

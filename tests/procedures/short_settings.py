@@ -1,5 +1,12 @@
 """Settings with which each procedure does all that it does, and is soon over."""
 
+import pytest
+
+from labcal.runner import procedures
+
+ALWAYS = ("degauss", "field-hold", "flip", "preflight", "rotate-axis")  # one of each kind
+EACH = [name if name in ALWAYS else pytest.param(name, marks=pytest.mark.slow) for name in sorted(procedures())]
+
 SHORT = {
     "preflight": {"axes": "x,z", "magnitudes_nT": "20000", "reverse": "no", "zero_s": "2", "dwell_s": "1"},
     "ambient": {"duration_s": "20"},

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 import pytest
 from scalar_lab import SCALAR, sensor
-from short_settings import SHORT
+from short_settings import EACH, SHORT
 
 from labcal.demo import simulated_bench
 from labcal.record.stream import Event, Item, Prompt, SegmentOpened, Step
-from labcal.runner import find, procedures
+from labcal.runner import find
 from labcal.runner.prompts import first_choice
 from labcal.testing.procedures import ProcedureTrial
 
@@ -61,7 +61,7 @@ class Paused(ProcedureTrial):
         return [float(coil.at([self.bench.clock.now()])[0]) for coil in lab._lab.coils.values()]
 
 
-@pytest.mark.parametrize("name", sorted(procedures()))
+@pytest.mark.parametrize("name", EACH)
 def test_what_is_measured_after_a_pause_is_measured_in_the_same_field(
     name: str, bench_file: Callable[..., Path]
 ) -> None:

@@ -8,18 +8,18 @@ from pathlib import Path
 
 import pytest
 from scalar_lab import SCALAR, sensor
-from short_settings import SHORT
+from short_settings import EACH, SHORT
 
 from labcal.demo import simulated_bench
 from labcal.record.stream import Block, Item, Prompt, Step
-from labcal.runner import find, procedures
+from labcal.runner import find
 from labcal.runner.prompts import first_choice
 from labcal.testing.procedures import ProcedureTrial
 
 OFF_S, OFF_PART = 8.0, 0.15  # of what is left, that it may be wrong by
 
 
-@pytest.mark.parametrize("name", sorted(procedures()))
+@pytest.mark.parametrize("name", EACH)
 def test_steps_and_time_left_are_true(name: str, bench_file: Callable[..., Path]) -> None:
     bench = bench_file(sensor(1), *SCALAR) if name == "scalar-cage" else simulated_bench()
     trial = ProcedureTrial(find(name), SHORT.get(name, {}), bench, first_choice)
