@@ -7,7 +7,6 @@ from math import hypot
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
@@ -18,6 +17,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.applied_field import applied_field
 from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, old_s
@@ -204,7 +204,7 @@ class BenchPage(QWidget):
             )
         with focus_kept_in(self, self.table):
             self.check.setEnabled(False)
-        self.check.setText(self.tr("Asking …"))
+        self._say_asking(self.tr("Asking …"), asking=True)
         return self._app_state.off_worker.request(
             Identify(self._app_state.bench), self._identified, self._not_identified
         )
@@ -242,8 +242,14 @@ class BenchPage(QWidget):
 
     def _checked(self) -> None:
         self.check.setEnabled(True)
-        self.check.setText(self.tr("Check all"))
+        self._say_asking(self.tr("Check all"), asking=False)
         self._show()
+
+    def _say_asking(self, words: str, *, asking: bool) -> None:
+        """On the button, and in the row of each who has not answered yet."""
+        self.check.setText(words)
+        self._app_state.lab.update(reading=asking)
+        self._app_state.grow_old()
 
     def _bench_known(self) -> None:
         self._show()
@@ -389,11 +395,3 @@ def reading_text(role: str, values: Any) -> str:
     """The last sample of an instrument, short."""
     unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
     return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit
-
-
-def applied_field(current_A: tuple[float | None, ...], matrix_nT_per_A: Any) -> Triple | None:
-    """The field that these currents make; None where one is not known."""
-    if None in current_A:
-        return None
-    x, y, z = np.asarray(matrix_nT_per_A) @ np.asarray(current_A, dtype=float)
-    return float(x), float(y), float(z)

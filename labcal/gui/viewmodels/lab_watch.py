@@ -164,5 +164,6 @@ class LabWatch(QObject):
                 self._lab.update(message=fault.text)
 
     def _over(self) -> None:
-        self._asked = None
-        self._lab.update(reading=False)
+        asked, self._asked = self._asked, None
+        if asked is not None and not asked.names:
+            self._lab.update(reading=False)

@@ -1,0 +1,167 @@
+"""What technicians found on their way through the window: small things, each by its cause."""
+
+import pytest
+from lab_states import told
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QLineEdit
+from test_long_work import fitted
+from test_long_work import studied as studied
+from test_nothing_is_cut import large as large
+from test_nothing_is_cut import settle
+from test_nothing_is_cut import sized as sized
+from test_one_dut import listed as listed
+from test_one_dut import open_from_history
+
+from labcal.gui.ipc.answers import Ended, FitFigures, Fitted, Identified
+from labcal.gui.ipc.messages import Identify, Rehearse, RunProcedure
+from labcal.gui.ipc.wire import Fault
+from labcal.gui.widgets.common import Card
+
+SMALL = (1024, 700), (1360, 760)
+PLAN = (
+    "preflight",
+    "largest field at the DUT 50.0 µT",
+    "turns between -20 and 20 °/s",
+    *(f"x+{n}0uT-nominal: one turn there and back, 36 s" for n in range(12)),
+)
+
+
+def blue(widget):
+    return widget.objectName() == "primary"
+
+
+def test_begin_is_not_blue_below_a_red_card(still):
+    choose = still.page("Run").choose
+    assert blue(choose.start)
+    still.app_state.off.warn(Fault("coils", "coils NOT confirmed at zero: supply_z gave no answer"))
+    assert still.fault.isVisible()
+    assert not blue(choose.start)
+    still.app_state.off.unconfirmed = None
+    still.app_state.fault_over.emit(still.fault.fault)
+    assert blue(choose.start)
+
+
+def test_begin_is_not_blue_while_a_supply_is_not_at_zero(still):
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    told(still, (0.0, 0.0, None))
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    still.page("Run").live.put_away.emit()
+    assert not blue(still.page("Run").choose.start)
+
+
+def planned(still):
+    choose = still.page("Run").choose
+    choose.rehearse()
+    still.app_state.bench_worker.answer(Rehearse, PLAN)
+    return choose
+
+
+@pytest.mark.parametrize("size", SMALL)
+def test_a_long_plan_takes_no_room_from_the_settings(still, sized, size):
+    choose = still.page("Run").choose
+    sized(size, False)
+    settle(still)
+    before = choose.area.height()
+    planned(still)
+    settle(still)
+    assert choose.area.height() == before
+    plan, seen = choose.plan, choose.area.viewport()
+    assert plan.height() >= plan.heightForWidth(plan.width())
+    assert seen.rect().contains(plan.mapTo(seen, QPoint(0, 0)))  # its begin is in sight
+
+
+@pytest.mark.parametrize("size", SMALL)
+def test_no_setting_is_cut_in_half_before_it_is_rolled(still, sized, size):
+    choose = planned(still)
+    sized(size, False)
+    settle(still)
+    choose.area.verticalScrollBar().setValue(0)
+    choose.form.more.setChecked(True)
+    settle(still)
+    seen = choose.area.viewport()
+    fields = [one for one in choose.form.findChildren(QLineEdit) if one.isVisible()]
+    tops = [(one.mapTo(seen, QPoint(0, 0)).y(), one.height()) for one in fields]
+    assert tops[-1][0] > seen.height()  # there is more than is in sight
+    assert not [top for top, high in tops if top < seen.height() < top + high]
+
+
+def right_edge(window, card):
+    return card.mapTo(window, card.contentsRect().topRight()).x()
+
+
+def test_the_card_of_the_run_that_is_shown_is_as_wide_as_the_column_below_it(listed, sized):
+    open_from_history(listed, "r21")
+    listed.page("Fit")
+    sized((1024, 700), False)
+    settle(listed)
+    page = listed.lazy_pages["Fit"]
+    assert page.area.verticalScrollBar().isVisible()
+    below = {right_edge(listed, card) for card in page.page.findChildren(Card) if card.isVisible()}
+    assert max(below) == right_edge(listed, listed.shown_bar)
+    assert page.area.horizontalScrollBar().maximum() == 0
+
+
+def standing_of(window):
+    bench = window.page("Bench")
+    bench.show_readings()
+    return {bench.table.text(row, 5) for row in range(bench.table.rowCount())}
+
+
+def test_while_everybody_is_asked_nobody_is_said_not_to_be(still):
+    still.open_page("Bench")
+    assert standing_of(still) == {"○ not asked"}
+    still.page("Bench").check_all()
+    assert standing_of(still) == {"… being asked"}
+    still.app_state.off_worker.answer(Identify, Identified((), None))
+    assert standing_of(still) == {"○ not asked"}
+
+
+@pytest.mark.parametrize("who", ["a run that begins", "Read all"])
+def test_so_as_a_run_begins_and_as_everybody_is_read(still, who):
+    still.open_page("Bench")
+    if who == "Read all":
+        still.side.read_all.click()
+    else:
+        still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    still.app_state.grow_old()
+    assert standing_of(still) == {"… being asked"}
+
+
+def place(window, button):
+    return button.mapTo(window, QPoint(0, 0))
+
+
+def opened(window, qtbot, button):
+    """Where a button was, and is once what it opens is there."""
+    settle(window)
+    before = place(window, button)
+    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
+    settle(window)
+    return before, place(window, button)
+
+
+def test_the_details_of_a_card_open_below_their_button(still, qtbot):
+    still.app_state.fault.emit(Fault("crash", "Something broke.", "Try again.", "Traceback:\n" + 40 * "line\n"))
+    before, after = opened(still, qtbot, still.fault.fold)
+    assert still.fault.details.isVisible()
+    assert after == before
+
+
+def test_settings_that_are_folded_open_below_their_button(still, qtbot):
+    form = still.page("Run").choose.form
+    qtbot.waitUntil(form.isVisible)
+    before, after = opened(still, qtbot, form.more)
+    assert [field for field in form.fields.values() if field.isVisible() and place(still, field).y() > after.y()]
+    assert after == before
+
+
+def test_why_a_method_has_no_part_opens_below_its_button(still, studied, qtbot, sized):
+    still.open_page("Fit")
+    page = still.page("Fit")
+    studied.fits = {"ml": fitted(10.0, 10.0), "ekf": Fitted(FitFigures(False, "the filter has diverged"))}
+    studied.changed.emit()
+    page.idle_queue.finish()
+    sized((1360, 1000), False)
+    before, after = opened(still, qtbot, page.fold)
+    assert page.why.isVisible()
+    assert after == before
