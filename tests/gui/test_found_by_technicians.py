@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLineEdit
 from test_long_work import fitted
 from test_long_work import studied as studied
 from test_nothing_is_cut import large as large
-from test_nothing_is_cut import settle
+from test_nothing_is_cut import measuring, settle
 from test_nothing_is_cut import sized as sized
 from test_one_dut import listed as listed
 from test_one_dut import open_from_history
@@ -16,6 +16,7 @@ from labcal.gui.ipc.answers import Ended, FitFigures, Fitted, Identified
 from labcal.gui.ipc.messages import Identify, Rehearse, RunProcedure
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.widgets.common import Card
+from labcal.gui.widgets.plots import CIRCLES_PX
 
 SMALL = (1024, 700), (1360, 760)
 PLAN = (
@@ -165,3 +166,15 @@ def test_why_a_method_has_no_part_opens_below_its_button(still, studied, qtbot, 
     before, after = opened(still, qtbot, page.fold)
     assert page.why.isVisible()
     assert after == before
+
+
+@pytest.mark.parametrize("size", SMALL)
+def test_below_a_red_card_the_circles_of_a_turn_are_still_to_be_read(still, sized, size):
+    """They were 48 px high at 1024 × 700, where each is 140 px wide."""
+    still.open_page(measuring(still))
+    still.app_state.off.warn(Fault("coils", "coils NOT confirmed at zero: supply_z gave no answer"))
+    for _ in range(2):
+        sized(size, False)
+        settle(still)
+    for one in still.page("Run").live.loci.plots:
+        assert one.height() >= min(one.width(), CIRCLES_PX)
