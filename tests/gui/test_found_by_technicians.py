@@ -1,5 +1,7 @@
 """What technicians found on their way through the window: small things, each by its cause."""
 
+import time
+
 import pytest
 from lab_states import told
 from PySide6.QtCore import QPoint, Qt
@@ -12,6 +14,7 @@ from test_nothing_is_cut import sized as sized
 from test_one_dut import listed as listed
 from test_one_dut import open_from_history
 
+from labcal.bench.coils.state import CoilReading, Heard, LabState
 from labcal.gui.ipc.answers import Ended, FitFigures, Fitted, Identified
 from labcal.gui.ipc.messages import Identify, Rehearse, RunProcedure
 from labcal.gui.ipc.wire import Fault
@@ -178,3 +181,21 @@ def test_below_a_red_card_the_circles_of_a_turn_are_still_to_be_read(still, size
         settle(still)
     for one in still.page("Run").live.loci.plots:
         assert one.height() >= min(one.width(), CIRCLES_PX)
+
+
+def test_the_row_of_the_dut_says_that_it_is_not_looked_at_at_rest(still):
+    """Its plug was out, and nothing said that nobody looks."""
+    still.open_page("Bench")
+    bench = still.page("Bench")
+    heard = tuple(Heard(name, time.monotonic() - 35.0) for name in still.app_state.facts.instruments)
+    coils = tuple(CoilReading(axis, None, 0.0, True, None, time.monotonic()) for axis in "xyz")
+    still.app_state.take_lab(LabState(coils, instruments=heard))
+    bench.show_readings()
+    said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
+    assert said["dut"] == "◌ 35 s ago, not looked at at rest"
+    assert [name for name, words in said.items() if "not looked at" in words] == ["dut"]
+    assert "dut" not in still.app_state.off.to_be_read()  # so it is
+    still.app_state.take_lab(LabState(coils, instruments=(Heard("dut", None, "no samples"),)))
+    bench.show_readings()
+    assert "dut" in still.app_state.off.to_be_read()  # one that was lost is looked at until it is back
+    assert not [row for row in range(bench.table.rowCount()) if "not looked at" in bench.table.text(row, 5)]

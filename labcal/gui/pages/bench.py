@@ -21,6 +21,7 @@ from labcal.gui.viewmodels.applied_field import applied_field
 from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, old_s
+from labcal.gui.viewmodels.not_at_rest import not_at_rest
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
@@ -296,11 +297,13 @@ class BenchPage(QWidget):
 
     def _standing(self, name: str) -> tuple[str, str]:
         """How an instrument stands now, in the words of the panel at the right."""
-        lights = self._app_state.lab.state.now.lights
-        light, words = next(((light, words) for one, light, words in lights if one == name), ("absent", ""))
+        now, facts = self._app_state.lab.state.now, self._app_state.facts
+        light, words = next(((light, words) for one, light, words in now.lights if one == name), ("absent", ""))
         shape, colour, plain = LIGHT_SHAPES[light]
+        role = "" if facts is None else facts.instruments[name].role
+        said = words or translated(plain), not_at_rest(role, light, driven=now.driven)
         back = "".join(f", {said}" for one, said in self._app_state.lab.state.back if one == name)
-        return f"{shape} {words or translated(plain)}{back}", {"": "muted", "old": "muted"}.get(colour, colour)
+        return f"{shape} {', '.join(filter(None, said))}{back}", {"": "muted", "old": "muted"}.get(colour, colour)
 
     def _lab_changed(self) -> None:
         """At once, as the panel at the right: at 20 times its pace a lab is another one half a second later."""

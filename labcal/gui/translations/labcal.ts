@@ -10206,6 +10206,10 @@ after this step …</source>
         <source>being asked</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not looked at at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -10207,6 +10207,10 @@ diesem Schritt …</translation>
         <source>being asked</source>
         <translation>wird gefragt</translation>
     </message>
+    <message>
+        <source>not looked at at rest</source>
+        <translation>in Ruhe nicht abgefragt</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -10207,6 +10207,10 @@ cette étape …</translation>
         <source>being asked</source>
         <translation>en cours d’interrogation</translation>
     </message>
+    <message>
+        <source>not looked at at rest</source>
+        <translation>pas lu au repos</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>
