@@ -1,11 +1,12 @@
 """What technicians found on their way through the window: small things, each by its cause."""
 
 import time
+from dataclasses import replace
 
 import pytest
 from lab_states import told
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit
 from test_long_work import fitted
 from test_long_work import studied as studied
 from test_nothing_is_cut import large as large
@@ -199,3 +200,21 @@ def test_the_row_of_the_dut_says_that_it_is_not_looked_at_at_rest(still):
     bench.show_readings()
     assert "dut" in still.app_state.off.to_be_read()  # one that was lost is looked at until it is back
     assert not [row for row in range(bench.table.rowCount()) if "not looked at" in bench.table.text(row, 5)]
+
+
+def cut_at_once(window):
+    """Words of the panel on hands that have no room for all their lines, before Qt has come to lay anything out."""
+    group = window.side.hands_group
+    words = [one for one in group.findChildren(QLabel) if one.isVisible()]
+    low = [one for one in words if one.height() < one.heightForWidth(one.width())]
+    return [one.text() for one in (*low, *(one for one in words if one.geometry().bottom() > group.height()))]
+
+
+def test_no_frame_shows_half_a_line_of_the_panel_on_hands(still):
+    state = replace(still.app_state.lab.state, keep_off=("HANDS OFF", "off"), hands=("▲ Hands off: coils on", "off"))
+    still.show_state(state)
+    settle(still)
+    why = "▲ Hands off: coils on: x +1.520 A, z −0.400 A; platform turns, at 41°; the field says: still on"
+    still.show_state(replace(state, keep_off=("✕ HANDS OFF: not as planned", "bad"), hands=(why, "bad")))
+    assert cut_at_once(still) == []
+    still.show_state(still.app_state.lab.state)
