@@ -40,7 +40,10 @@ def test_begin_is_not_blue_below_a_red_card(still):
     assert blue(choose.start)
     still.app_state.off.warn(Fault("coils", "coils NOT confirmed at zero: supply_z gave no answer"))
     assert still.fault.isVisible()
+    still.app_state.age_timer.timeout.emit()
+    settle(still)
     assert not blue(choose.start)
+    assert not (blue(still.next) and still.next.text().startswith("Next: Begin"))
     still.app_state.off.unconfirmed = None
     still.app_state.fault_over.emit(still.fault.fault)
     assert blue(choose.start)
