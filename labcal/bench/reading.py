@@ -13,6 +13,7 @@ from collections.abc import Collection, Iterator
 from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime
+from importlib import import_module
 from pathlib import Path
 from typing import Any, cast
 
@@ -28,7 +29,7 @@ from labcal.bench.guardian.wire import zero_of
 from labcal.bench.line_advice import advised
 from labcal.bench.links import ports
 from labcal.bench.links.quoting import abridged
-from labcal.bench.loading import Loader
+from labcal.bench.loading import Loader, speaks_modbus
 from labcal.bench.streams.reference import blind, into_cage
 from labcal.bench.streams.samples import samples
 from labcal.errors import InstrumentError
@@ -67,12 +68,27 @@ def read_lab(path: Path, names: Collection[str] = ()) -> list[InstrumentReading]
 
     Nothing is set or moved; a supply is given back to its panel, where a person may have to switch it off.
     """
+    loader = _loader(path)
+    loader.meet_group()
+    with closing(loader):
+        return [_read(loader, name) for name in loader.config.instruments if not names or name in names]
+
+
+def prepare_to_read(path: Path) -> None:
+    """Load drivers, and the simulated lab where there is one; opens nothing. Raises InputError for the file."""
+    loader = _loader(path)
+    for name in loader.config.instruments:
+        if loader.line_of(name).startswith("emulated://"):
+            loader.emulator(name)
+        elif speaks_modbus(loader.driver(name)[1]):
+            import_module("labcal.bench.links.modbus")
+
+
+def _loader(path: Path) -> Loader:
     config = read_config(path)
     loader = Loader(path, config, VirtualClock(datetime.now(UTC)) if config.simulated else RealClock(), 0)
     loader.look_over()
-    loader.meet_group()
-    with closing(loader):
-        return [_read(loader, name) for name in config.instruments if not names or name in names]
+    return loader
 
 
 def _read(loader: Loader, name: str) -> InstrumentReading:

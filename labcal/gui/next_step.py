@@ -24,10 +24,10 @@ def begins_at(lazy_page: LazyPage) -> list[QWidget]:
     return [one for one in (*buttons, first) if one is not None and one.isVisible() and one.isEnabled()]
 
 
-def one_is_blue(following: QPushButton, page: QWidget | None) -> None:
-    """Next is the blue button, but where the page in sight has one of its own."""
+def one_is_blue(following: QPushButton, page: QWidget | None, *, calm: bool) -> None:
+    """Next is the blue button, but where the page in sight has one of its own, or a red card says what comes first."""
     blue = [] if page is None else page.findChildren(QPushButton, "primary")
-    set_primary(following, not [one for one in blue if one.isVisible() and one.isEnabled()])
+    set_primary(following, calm and not [one for one in blue if one.isVisible() and one.isEnabled()])
 
 
 def pressed_by_next(pages: Mapping[str, LazyPage], to: Next) -> QPushButton | None:

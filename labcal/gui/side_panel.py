@@ -207,6 +207,13 @@ class SidePanel(Surface):
         again = again or (off_mark == "bad" and mark_of(coils)[1] in ("", "good"))  # what calms stands below no alarm
         self.zero_words.setVisible(bool(coils) and not again)
         self.hands_group.setVisible(bool(off or said or (coils and not again)))
+        self._place_hands()
+
+    def _place_hands(self) -> None:
+        """At once: in a frame before Qt lays it out, other words would be cut in the middle of a line."""
+        for part in (self.hands_group, self):
+            if (layout := part.layout()) is not None and self.isVisible():
+                layout.activate()
 
     def _blank_coils(self) -> None:
         self.coils.blank()

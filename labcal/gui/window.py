@@ -285,7 +285,8 @@ class Window(Frame):
         here, unlike = self.page_shown() == to.page, app_state.one_dut.unlike(to, self.page_shown())
         begins = self.tr("Begin {0}").format(app_state.path.begins)
         self.say_next(begins if here and to.ready else said_here(self.lazy_pages, to, here, unlike))
-        QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget()))
+        calm = not app_state.off.warns or app_state.run.alive or to.page == "Bench"  # else the red card comes first
+        QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget(), calm=calm))
         nothing_to_do = to.waits and here
         self.next.setVisible(not (nothing_to_do and app_state.run.alive))  # who is needed when stands beside the steps
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or nothing_to_do)

@@ -31,6 +31,13 @@ def identify_instruments(bench: Path) -> list[Identified]:
     return identify_all(bench)
 
 
+def prepare_to_read(bench: Path) -> None:
+    """Load what `read_lab` takes; no link is opened."""
+    from labcal.bench.reading import prepare_to_read
+
+    prepare_to_read(bench)
+
+
 def read_lab(bench: Path, names: Sequence[str] = ()) -> list[InstrumentReading]:
     """These instruments of a bench.toml as they are now (none named: all); nothing is set."""
     from labcal.bench.reading import read_lab

@@ -1,5 +1,7 @@
 """Words come and go in a run; what stands beside them stays where it is."""
 
+from datetime import datetime
+
 import pytest
 from PySide6.QtCore import QLocale, QPoint, QRect
 from test_a_question_keeps_its_places import MOUNT, READY
@@ -8,6 +10,7 @@ from test_nothing_is_cut import settle
 
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.translations import translate
+from labcal.gui.widgets import time_left
 from labcal.record import Segment
 from labcal.record.stream import Event, SegmentClosed, SegmentOpened, Step
 
@@ -75,7 +78,10 @@ def places(window):
 
 
 @pytest.mark.parametrize("size", [(1024, 700), (1360, 860), (1920, 1080)], ids=str)
-def test_what_is_looked_at_and_pressed_stays_where_it_is(spoken, size):
+def test_what_is_looked_at_and_pressed_stays_where_it_is(spoken, size, monkeypatch):
+    """In the evening, too, when a run is done on another day, which is said."""
+    clock = type("Clock", (), {"now": staticmethod(lambda: datetime(2026, 11, 30, 20, 0))})
+    monkeypatch.setattr(time_left, "datetime", clock)
     spoken.resize(*size)
     spoken.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe", "true"))
     spoken.open_page("Run")

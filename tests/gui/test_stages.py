@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QApplication, QFileDialog
 from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, settle, told
 from test_certificate_steps import page as page
 from test_path import RUN, calibration
@@ -217,3 +217,18 @@ def test_the_verdict_on_a_file_has_no_holes_between_its_lines(page):
     lines = sum(part.sizeHint().height() for part in (page.drop.name, page.drop.words, page.drop.close_card))
     margins = card.body.contentsMargins()
     assert card.height() <= lines + margins.top() + margins.bottom() + 2 * card.body.spacing() + 2
+
+
+def test_who_keeps_the_names_goes_on_with_what_is_next(page):
+    """The focus went to "Whose key", where there is one."""
+    told(page, DRAFT, "a.smith")
+    known(page, NOBODY)
+    page.activateWindow()
+    for field, words in zip(page.names.laboratory, ("A lab", "Bern", "CH"), strict=True):
+        field.setText(words)
+    page.names.keep.setFocus()
+    page.names.keep.click()
+    assert page.names.isAncestorOf(QApplication.focusWidget())  # as long as it is kept
+    page._app_state.quick_worker.answer(StateNames, BOTH)
+    assert QApplication.focusWidget() is page.begins_at
+    assert not page.steps.key.isAncestorOf(page.begins_at)

@@ -249,3 +249,24 @@ def test_a_bench_that_is_faster_than_life_says_that_its_seconds_are_simulated(de
         run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe", pace))
         run._worker.items.emit((Step(0.0, 1, 2, "zero", 60.0, (), 20.0),))
         assert what_happens(run, LabNow()) == said
+
+
+@pytest.mark.parametrize(("pace", "speed"), [("20 times", 20.0), ("100 times", 100.0)])
+def test_done_at_is_the_clock_on_the_wall_however_fast_simulated_time_passes(still, monkeypatch, pace, speed):
+    """Of 6000 s of the bench 300 s on the wall at 20 times, 60 s at 100 times."""
+    wall = [0.0]
+    monkeypatch.setattr(run_time.time, "monotonic", lambda: wall[0])
+    clock = type("Clock", (), {"now": staticmethod(lambda: datetime(2026, 11, 30, 4, 49, 55))})
+    monkeypatch.setattr(time_left, "datetime", clock)
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", pace=pace))
+    run, live = still.app_state.run, still.page("Run").live
+    monkeypatch.setattr(run, "left_s", lambda: 6000.0)
+    monkeypatch.setattr(run, "needed_s", lambda: None)
+    still.app_state.bench_worker.items.emit((PLAN.begin(BENCH, "x"),))
+    for second in range(1, 7):
+        wall[0] = float(second)
+        still.app_state.bench_worker.items.emit((Event(100.0 + speed * second, "note", "it turns"),))
+    live.time_left.show_now(still.app_state.lab.state.now)
+    at = clock_time(clock.now(), 6000.0 / speed)
+    assert live.time_left.until.text() == f"Done at about {at}"
+    assert at in ("04:54", "04:50")

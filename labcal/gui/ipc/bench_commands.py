@@ -31,7 +31,7 @@ from labcal.gui.ipc.answers import (
 )
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
-from labcal.gui.ipc.lab_messages import InstrumentRead
+from labcal.gui.ipc.lab_messages import InstrumentRead, PrepareToRead
 from labcal.gui.ipc.messages import (
     CheckZero,
     EarlierAreGone,
@@ -153,6 +153,14 @@ def read_lab(channel: Channel, asked: ReadLab) -> tuple[InstrumentRead, ...]:
     from labcal import session
 
     return tuple(map(_instrument_read, session.read_lab(Path(asked.bench), asked.names)))
+
+
+def prepare_to_read(channel: Channel, asked: PrepareToRead) -> bool:
+    """Whoever is asked to read next has no file to load first."""
+    from labcal import session
+
+    session.prepare_to_read(Path(asked.bench))
+    return True
 
 
 def _instrument_read(one: InstrumentReading) -> InstrumentRead:
@@ -301,6 +309,7 @@ HANDLERS = (
     handles(ReadBench, read_bench),
     handles(Identify, identify),
     handles(ReadLab, read_lab),
+    handles(PrepareToRead, prepare_to_read),
     handles(SwitchOff, switch_off),
     handles(CheckZero, check_zero),
     handles(EarlierAreGone, earlier_are_gone),

@@ -57,6 +57,13 @@ class EarlierAreGone(Command[bool]):
 
 
 @dataclass(frozen=True, slots=True)
+class PrepareToRead(Command[bool]):
+    """Load what reading the instruments of a bench takes; no link is opened, for a run has them."""
+
+    bench: str
+
+
+@dataclass(frozen=True, slots=True)
 class ReadLab(Command[tuple[InstrumentRead, ...]]):
     """Read these instruments of a bench, all where none is named."""
 

@@ -24,6 +24,7 @@ from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.lab_messages import CheckZero as CheckZero
 from labcal.gui.ipc.lab_messages import EarlierAreGone as EarlierAreGone
 from labcal.gui.ipc.lab_messages import Identify as Identify
+from labcal.gui.ipc.lab_messages import PrepareToRead as PrepareToRead
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
 from labcal.gui.ipc.record_messages import LookForLeft as LookForLeft
 from labcal.gui.ipc.record_messages import TellRecord as TellRecord

@@ -7,7 +7,6 @@ from math import hypot
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
 
@@ -18,9 +17,11 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.applied_field import applied_field
 from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, old_s
+from labcal.gui.viewmodels.not_at_rest import not_at_rest
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.role_words import ORDER, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
@@ -204,7 +205,7 @@ class BenchPage(QWidget):
             )
         with focus_kept_in(self, self.table):
             self.check.setEnabled(False)
-        self.check.setText(self.tr("Asking …"))
+        self._say_asking(self.tr("Asking …"), asking=True)
         return self._app_state.off_worker.request(
             Identify(self._app_state.bench), self._identified, self._not_identified
         )
@@ -242,8 +243,14 @@ class BenchPage(QWidget):
 
     def _checked(self) -> None:
         self.check.setEnabled(True)
-        self.check.setText(self.tr("Check all"))
+        self._say_asking(self.tr("Check all"), asking=False)
         self._show()
+
+    def _say_asking(self, words: str, *, asking: bool) -> None:
+        """On the button, and in the row of each who has not answered yet."""
+        self.check.setText(words)
+        self._app_state.lab.update(reading=asking)
+        self._app_state.grow_old()
 
     def _bench_known(self) -> None:
         self._show()
@@ -290,11 +297,13 @@ class BenchPage(QWidget):
 
     def _standing(self, name: str) -> tuple[str, str]:
         """How an instrument stands now, in the words of the panel at the right."""
-        lights = self._app_state.lab.state.now.lights
-        light, words = next(((light, words) for one, light, words in lights if one == name), ("absent", ""))
+        now, facts = self._app_state.lab.state.now, self._app_state.facts
+        light, words = next(((light, words) for one, light, words in now.lights if one == name), ("absent", ""))
         shape, colour, plain = LIGHT_SHAPES[light]
+        role = "" if facts is None else facts.instruments[name].role
+        said = words or translated(plain), not_at_rest(role, light, driven=now.driven)
         back = "".join(f", {said}" for one, said in self._app_state.lab.state.back if one == name)
-        return f"{shape} {words or translated(plain)}{back}", {"": "muted", "old": "muted"}.get(colour, colour)
+        return f"{shape} {', '.join(filter(None, said))}{back}", {"": "muted", "old": "muted"}.get(colour, colour)
 
     def _lab_changed(self) -> None:
         """At once, as the panel at the right: at 20 times its pace a lab is another one half a second later."""
@@ -389,11 +398,3 @@ def reading_text(role: str, values: Any) -> str:
     """The last sample of an instrument, short."""
     unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
     return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit
-
-
-def applied_field(current_A: tuple[float | None, ...], matrix_nT_per_A: Any) -> Triple | None:
-    """The field that these currents make; None where one is not known."""
-    if None in current_A:
-        return None
-    x, y, z = np.asarray(matrix_nT_per_A) @ np.asarray(current_A, dtype=float)
-    return float(x), float(y), float(z)

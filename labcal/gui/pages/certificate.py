@@ -279,9 +279,12 @@ class CertificatePage(QWidget):
         for part in (self.to_do, self.doubt):
             part.setVisible(bool(part.text()))
 
-    def _names_known(self) -> None:
+    def _names_known(self, waits: bool) -> None:
+        """`waits`: whoever stated them goes on with what is next."""
         self.steps.names_known()
         self._show_named()
+        if waits and self.begins_at.isEnabled():
+            self.begins_at.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def _show_named(self) -> None:
         """By whom and for whom it is; before it is signed the card below asks for who is not named."""

@@ -120,11 +120,19 @@ class FitPage(QWidget):
             button(self.tr("Why"), self.tr("What each of them says")),
         )
         self.fold.setCheckable(True)
-        self.fold.toggled.connect(lambda shown: self.why.setVisible(shown))
+        self.fold.toggled.connect(self._show_why)
         row = QHBoxLayout()
         row.addWidget(self.aside, 1)
         row.addWidget(self.fold, 0, Qt.AlignmentFlag.AlignTop)
         return row
+
+    def _show_why(self, shown: bool) -> None:
+        """It opens downward: the table above keeps its height, and the button stays below the mouse."""
+        if shown:
+            self.table.setMinimumHeight(self.table.height())
+        else:
+            self.table.setMinimumHeight(0)  # of its rows
+        self.why.setVisible(shown)
 
     def open_run(self, run: str) -> None:
         """Study `run`."""

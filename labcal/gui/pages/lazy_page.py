@@ -29,10 +29,12 @@ class Place(QWidget):
 
     Put into the area itself, a page with wrapped texts would get the height that it would like to have, and would
     scroll where it needs less. One that only shows (`shows_only`) gets that height: nothing in it can give way.
+    The bar of `area` stands in the margin at the right of the page: cards are as wide with it as without.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, area: QScrollArea) -> None:
         super().__init__()
+        self._area = area
         self._page: QWidget | None = None
 
     def hold(self, page: QWidget) -> None:
@@ -42,7 +44,7 @@ class Place(QWidget):
         policy.setHeightForWidth(getattr(page, "shows_only", False))
         self.setSizePolicy(policy)
         page.setParent(self)
-        page.resize(self.size())
+        self._fit()
         page.show()
         self.updateGeometry()
 
@@ -53,7 +55,17 @@ class Place(QWidget):
     def heightForWidth(self, width: int) -> int:
         """What the page would like to have at this width, with the lines of its wrapped texts."""
         layout = None if self._page is None else self._page.layout()
-        return self.minimumSizeHint().height() if layout is None else layout.totalHeightForWidth(width)
+        return self.minimumSizeHint().height() if layout is None else layout.totalHeightForWidth(self._wide(width))
+
+    def _wide(self, width: int) -> int:
+        """How wide the page is in a place of this `width`: what a bar takes is taken from its margin."""
+        layout = None if self._page is None else self._page.layout()
+        margin = 0 if layout is None else layout.contentsMargins().right()
+        return width + max(0, min(margin, self._area.width() - width))
+
+    def _fit(self) -> None:
+        if self._page is not None:
+            self._page.resize(self._wide(self.width()), self.height())
 
     def event(self, event: QEvent) -> bool:
         """The page needs another place."""
@@ -63,8 +75,7 @@ class Place(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another size, for the page too."""
-        if self._page is not None:
-            self._page.resize(self.size())
+        self._fit()
 
 
 class LazyPage(QWidget):
@@ -89,7 +100,7 @@ class LazyPage(QWidget):
         self.area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # what has the focus comes into sight by itself
         self.area.setFrameShape(QScrollArea.Shape.NoFrame)
         self.area.viewport().setAutoFillBackground(False)
-        self.place = Place()
+        self.place = Place(self.area)
         self.area.setWidget(self.place)
         self.place.setAutoFillBackground(False)
         self._column.addWidget(self.area)

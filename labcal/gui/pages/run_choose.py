@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtGui import QFont
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLineEdit, QListWidgetItem, QScrollArea, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QWidget
 
 from labcal.bench.parameters import for_modes, for_rate
 from labcal.gui.ipc.answers import Procedure, Procedures
@@ -23,14 +22,14 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.bench_of_run import limits_of
 from labcal.gui.viewmodels.path import Wanted
 from labcal.gui.viewmodels.plan_words import needs_text, plan_line
-from labcal.gui.viewmodels.procedure_groups import group_of, grouped
 from labcal.gui.widgets.common import Card, button, flat, label, set_primary, set_state
 from labcal.gui.widgets.flow import Flow
-from labcal.gui.widgets.grouped_list import GroupedList
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.one_place import OnePlace
 from labcal.gui.widgets.parameter_form import ParameterForm, title_of
+from labcal.gui.widgets.procedure_list import ProcedureList
+from labcal.gui.widgets.rolled_form import RolledForm
 from labcal.gui.widgets.run_chooser import run_title
 from labcal.gui.widgets.work_bar import WorkBar
 
@@ -60,12 +59,20 @@ class Choose(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
-        row.addWidget(self._list_card(), 1)
+        self.procedures = ProcedureList()
+        self.list, self.search, self.none_found = (
+            self.procedures.list,
+            self.procedures.search,
+            self.procedures.none_found,
+        )
+        self.list.currentTextChanged.connect(self._chosen)
+        row.addWidget(self.procedures, 1)
         row.addWidget(self._form_card(), 3)
         app_state.lab.changed.connect(self._check)
         app_state.bench_changed.connect(self._bench_known)
         app_state.scan_vm.changed.connect(self._check)
-        app_state.path.changed.connect(self._show_unfinished)
+        for changed in (app_state.path.changed, app_state.lab.changed, app_state.fault, app_state.fault_over):
+            changed.connect(self._show_unfinished)
         app_state.run.ended.connect(self._refresh)
         app_state.request(ListProcedures(), self.show_procedures)
 
@@ -82,36 +89,12 @@ class Choose(QWidget):
         """Whether a run is to be gone on with: of this window, or of one before it."""
         self._app_state.request(ListRuns(), self._app_state.path.take_runs)
 
-    def _list_card(self) -> Card:
-        card = Card(self.tr("Procedures"))
-        card.heading.setMinimumWidth(0)  # of its text
-        self.list = GroupedList()
-        self.list.setAccessibleName(self.tr("Procedures"))
-        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.list.setMinimumWidth(20 * GRID)
-        self.list.currentTextChanged.connect(self._chosen)
-        self.search = QLineEdit()
-        self.search.setPlaceholderText(self.tr("Search"))
-        self.search.setToolTip(self.tr("By name, by what it does, or by what it needs"))
-        self.search.setClearButtonEnabled(True)
-        self.search.textChanged.connect(self._show_found)
-        self.none_found = label(self.tr("None is found. Fewer words, or a part of one?"), wrap=True)
-        self.none_found.hide()
-        card.body.addWidget(self.search)
-        card.body.addWidget(self.none_found)
-        card.body.addWidget(self.list)
-        return card
-
     def _form_card(self) -> Card:
         card = Card(self.tr("Settings"))
         self.heading, self.title = card.heading, label("", wrap=True)
-        self._area = QScrollArea()
-        self._area.setWidgetResizable(True)
-        self._area.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # a field that has the focus comes into sight by itself
-        self._area.setFrameShape(QScrollArea.Shape.NoFrame)
-        self._area.viewport().setAutoFillBackground(False)
-        self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._area.setMinimumHeight(AREA_PX)
+        self.plan = label("", wrap=True)
+        self.plan.setAccessibleName(self.tr("The plan"))
+        self.area = RolledForm(self.plan)
         self.needs = label("", "caption", wrap=True)
         self.usual = button(self.tr("Usual settings"), self.tr("Every setting as it was before anybody typed"))
         self.usual.clicked.connect(self._make_usual)
@@ -120,10 +103,7 @@ class Choose(QWidget):
         head.addWidget(self.usual, 0, Qt.AlignmentFlag.AlignTop)
         card.body.addLayout(head)
         card.body.addWidget(self.needs)
-        card.body.addWidget(self._area, 1)
-        self.plan = label("", wrap=True)
-        self.plan.setAccessibleName(self.tr("The plan"))
-        card.body.addWidget(self.plan)
+        card.body.addWidget(self.area, 1)
         self.objection = label("", "caption", wrap=True)
         self.objection.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.pace_label, self.pace = label(self.tr("Simulated time")), QComboBox()
@@ -173,8 +153,9 @@ class Choose(QWidget):
         self.unfinished.setVisible(broken is not None)
         self.go_on.setEnabled(not app_state.objection())
         resumes = broken is not None and app_state.path.next().resumes == broken  # else Next has another run in mind
-        set_primary(self.start, not resumes)
-        set_primary(self.go_on, resumes)
+        calm = not (app_state.off.warns or app_state.lab.state.now.to_be_mended)  # a red card comes first
+        set_primary(self.start, calm and not resumes)
+        set_primary(self.go_on, calm and resumes)
         if broken is not None:
             self.which.setText(run_title(broken))
             self.go_on.setText(self.tr("Go on with {0}").format(broken.dut_serial))
@@ -195,7 +176,7 @@ class Choose(QWidget):
         def show_plan(text: str) -> None:
             if self._rehearsed is mine:
                 self._rehearsed = None
-                self.plan.setText(text)
+                self.area.show_plan(text)
                 self._check()
 
         def planned(lines: tuple[str, ...]) -> None:
@@ -207,15 +188,14 @@ class Choose(QWidget):
             self._cannot_be = self._rehearsed is mine and fault.kind == "input"
             show_plan(f"✕ {in_words(fault.text)} {in_words(fault.remedy)}")
 
-        self.plan.setText(self.tr("Rehearsing on the simulated lab …"))
-        self.plan.show()
+        self.area.show_plan(self.tr("Rehearsing on the simulated lab …"))
         self._check()
         self._app_state.bench_worker.request(Rehearse(name, self._app_state.bench, given), planned, refused)
 
     def _give_up(self) -> None:
         """Wait for no plan any more: who rehearses it is ended."""
         self._rehearsed = self._planned = None
-        self.plan.setText(self.tr("given up"))
+        self.area.show_plan(self.tr("given up"))
         self._app_state.bench_worker.kill()
         self._check()
 
@@ -249,52 +229,16 @@ class Choose(QWidget):
     def _forget_plan(self) -> None:
         self._rehearsed = self._planned = None
         self._cannot_be = False
-        self.plan.clear()
-        self.plan.hide()
+        self.area.show_plan("")
 
     def show_procedures(self, there: Procedures) -> None:
         """List what there is to run, and by name what does not load, with the reason."""
-        with QSignalBlocker(self.list):  # nothing is chosen before the new ones are there
-            self.list.clear()
         self._procedures, self._typed, self._shown = {one.name: one for one in there.found}, {}, ""
         self._app_state.path.take_resumable(frozenset(one.name for one in there.found if one.resumable))
-        for group, names in grouped(self._procedures):
-            self._add_heading(group)
-            self.list.addItems(names)
-        for name, fault in there.broken.items():
-            broken = QListWidgetItem(f"✕ {name}", self.list)
-            broken.setFlags(Qt.ItemFlag.NoItemFlags)
-            broken.setToolTip(fault)
+        self.procedures.show_procedures(there)
         self.choose(self._wanted.names, self._wanted.settings)
         if self._plan_wanted:
             self.rehearse()
-
-    def _add_heading(self, group: str) -> None:
-        heading = QListWidgetItem(group, self.list)
-        heading.setFlags(Qt.ItemFlag.NoItemFlags)
-        heading.setData(HEADING, True)
-        font = QFont()
-        font.setBold(True)
-        heading.setFont(font)
-
-    def _show_found(self) -> None:
-        """Hide what the search does not find, and headings with nothing below them."""
-        heading: QListWidgetItem | None = None
-        for item in map(self.list.item, range(self.list.count())):
-            if item.data(HEADING):
-                heading = item
-                heading.setHidden(bool(self.search.text()))
-            else:
-                item.setHidden(not self._is_found(item.text().removeprefix("✕ ")))
-                if heading is not None and not item.isHidden():
-                    heading.setHidden(False)
-        self.none_found.setVisible(all(self.list.item(row).isHidden() for row in range(self.list.count())))
-
-    def _is_found(self, name: str) -> bool:
-        one = self._procedures.get(name)
-        said = (name,) if one is None else (name, procedure_title(name), one.title, one.needs, group_of(name))
-        about = " ".join((*said, *map(in_words, said)))
-        return all(word in about.casefold() for word in self.search.text().casefold().split())
 
     def choose(self, names: str, settings: Mapping[str, str] | None = None) -> None:
         """Choose the first procedure there is of `names`, apart by |; also before the list is known.
@@ -316,7 +260,7 @@ class Choose(QWidget):
         self.heading.setText(procedure_title(name))
         self.title.setText(in_words(one.title))
         self._needs_of = one
-        if self.form is not None and self.form is not self._area.widget():
+        if self.form is not None and self.form is not self.area.form:
             self.form.hide()  # it never came to be shown, and nothing else would take it away
             self.form.deleteLater()
         self._limits = modes, fastest = limits_of(self._app_state.facts)
@@ -328,7 +272,7 @@ class Choose(QWidget):
             self.form.set_text(key, text)
         self.form.propose(proposed)
         self.form.changed.connect(self._setting_typed)
-        self.form.setParent(self._area.viewport())  # it gets its style sheet there, before it is seen
+        self.form.setParent(self.area.viewport())  # it gets its style sheet there, before it is seen
         self._idle_queue.put("form", partial(self._show_form, self.form))
         self._other_settings()
 
@@ -351,8 +295,7 @@ class Choose(QWidget):
             self._typed[self._shown] = self.form.texts()
 
     def _show_form(self, form: ParameterForm) -> None:
-        self._area.setWidget(form)
-        form.setAutoFillBackground(False)
+        self.area.hold(form)
 
     def _check(self) -> None:
         virtual = self._app_state.facts is not None and self._app_state.facts.virtual_time

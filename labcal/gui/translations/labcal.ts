@@ -470,22 +470,6 @@
 <context>
     <name>Choose</name>
     <message>
-        <source>Procedures</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>By name, by what it does, or by what it needs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>None is found. Fewer words, or a part of one?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7215,6 +7199,25 @@ after this step …</source>
     </message>
 </context>
 <context>
+    <name>ProcedureList</name>
+    <message>
+        <source>Procedures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By name, by what it does, or by what it needs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>PromptCard</name>
     <message>
         <source>Question to you</source>
@@ -10197,6 +10200,14 @@ after this step …</source>
     </message>
     <message>
         <source>Open a bench file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>being asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not looked at at rest</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -470,22 +470,6 @@
 <context>
     <name>Choose</name>
     <message>
-        <source>Procedures</source>
-        <translation>Prozeduren</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
-        <source>By name, by what it does, or by what it needs</source>
-        <translation>Nach Namen, nach Zweck oder nach Bedarf</translation>
-    </message>
-    <message>
-        <source>None is found. Fewer words, or a part of one?</source>
-        <translation>Keine gefunden. Weniger Wörter, oder ein Teil davon?</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
@@ -7216,6 +7200,25 @@ diesem Schritt …</translation>
     </message>
 </context>
 <context>
+    <name>ProcedureList</name>
+    <message>
+        <source>Procedures</source>
+        <translation>Prozeduren</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>By name, by what it does, or by what it needs</source>
+        <translation>Nach Namen, nach Zweck oder nach Bedarf</translation>
+    </message>
+    <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation>Keine gefunden. Weniger Wörter, oder ein Teil davon?</translation>
+    </message>
+</context>
+<context>
     <name>PromptCard</name>
     <message>
         <source>Question to you</source>
@@ -10199,6 +10202,14 @@ diesem Schritt …</translation>
     <message>
         <source>Open a bench file</source>
         <translation>Messplatzdatei öffnen</translation>
+    </message>
+    <message>
+        <source>being asked</source>
+        <translation>wird gefragt</translation>
+    </message>
+    <message>
+        <source>not looked at at rest</source>
+        <translation>in Ruhe nicht abgefragt</translation>
     </message>
 </context>
 <context>

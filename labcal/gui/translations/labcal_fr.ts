@@ -470,22 +470,6 @@
 <context>
     <name>Choose</name>
     <message>
-        <source>Procedures</source>
-        <translation>Procédures</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Chercher</translation>
-    </message>
-    <message>
-        <source>By name, by what it does, or by what it needs</source>
-        <translation>Par nom, par but, ou par besoin</translation>
-    </message>
-    <message>
-        <source>None is found. Fewer words, or a part of one?</source>
-        <translation>Rien trouvé. Moins de mots, ou une partie ?</translation>
-    </message>
-    <message>
         <source>Settings</source>
         <translation>Réglages</translation>
     </message>
@@ -7216,6 +7200,25 @@ cette étape …</translation>
     </message>
 </context>
 <context>
+    <name>ProcedureList</name>
+    <message>
+        <source>Procedures</source>
+        <translation>Procédures</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Chercher</translation>
+    </message>
+    <message>
+        <source>By name, by what it does, or by what it needs</source>
+        <translation>Par nom, par but, ou par besoin</translation>
+    </message>
+    <message>
+        <source>None is found. Fewer words, or a part of one?</source>
+        <translation>Rien trouvé. Moins de mots, ou une partie ?</translation>
+    </message>
+</context>
+<context>
     <name>PromptCard</name>
     <message>
         <source>Question to you</source>
@@ -10199,6 +10202,14 @@ cette étape …</translation>
     <message>
         <source>Open a bench file</source>
         <translation>Ouvrir un fichier de banc</translation>
+    </message>
+    <message>
+        <source>being asked</source>
+        <translation>en cours d’interrogation</translation>
+    </message>
+    <message>
+        <source>not looked at at rest</source>
+        <translation>pas lu au repos</translation>
     </message>
 </context>
 <context>

@@ -101,6 +101,7 @@ class AppState(QObject):
         self.left = LeftWithoutEnd(self)
         self.left.changed.connect(lambda: self.grow_old())
         self.run.changed.connect(self._update_run)
+        self.run.changed.connect(lambda: self.watch.prepare(self.bench if self.run.lab and self.run.alive else ""))
         self.run.ended.connect(self._ended)
         name = str(self.settings.value("operator", ""))
         self.lab.update(operator=name, operator_objection=name_objection(name))
@@ -309,7 +310,8 @@ class AppState(QObject):
             self.take_lab(blamed)
         if fault is not None and (fault.kind in BROKEN or self.run.coils_at_zero is False):
             return self.off.switch_off(read_back=fault.kind not in BROKEN)
-        return self.kept.answered()
+        self.kept.answered()
+        return self.watch.look()  # what the run read last is not to grow old meanwhile
 
     def still_live(self) -> bool:
         """Whether a supply fell silent with a current, or a platform may turn that was to stand: that card stays."""

@@ -18,6 +18,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.answers_again import LIFTED
+from labcal.gui.viewmodels.being_asked import being_asked
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab
@@ -167,13 +168,21 @@ class CoilsOff(QObject):
         return tuple(name for name, one in instruments.items() if one.role.startswith(roles))
 
     def seen_in(self, now: LabNow) -> LabNow:
-        """The lab, with a platform that was told to stop and was not seen to stand since: the line below says so."""
-        to_be_seen = self._report is not None and not self._window.run.alive
-        return replace(self.earlier.seen_in(now), stop_unseen=to_be_seen)
+        """The lab, with a platform that was told to stop and was not seen to stand since: the line below says so; and
+        with who is being asked.
+        """
+        run, to_be_seen = self._window.run, self._report is not None and not self._window.run.alive
+        asked = being_asked(now) if self._window.lab.state.reading or run.state == "starting" else now
+        return replace(self.earlier.seen_in(asked), stop_unseen=to_be_seen)
 
     def says(self, fault: Fault | None) -> bool:
         """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""
         return fault is not None and fault in (self.unconfirmed, self.turning)
+
+    @property
+    def warns(self) -> bool:
+        """Whether a card says that the coils are not known to be at zero, or that the platform may turn still."""
+        return self.unconfirmed is not None or self.turning is not None
 
     def to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""

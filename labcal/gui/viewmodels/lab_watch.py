@@ -14,7 +14,7 @@ from datetime import datetime
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from labcal.gui.ipc.client import Worker
-from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
+from labcal.gui.ipc.lab_messages import InstrumentRead, PrepareToRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabViewModel
@@ -50,6 +50,7 @@ class LabWatch(QObject):
         self.round = WatchRound(lambda name: name in coils())
         self._asked: ReadLab | None = None
         self._asked_s = 0.0
+        self._ready_for = ""  # the bench whose drivers the worker has loaded, while a run has their lines
         self._kept = set[str]()  # what a guardian that is still at work has not let go of
         self.timer = QTimer(self, interval=LOOK_MS)
         self.timer.timeout.connect(self.look)
@@ -64,6 +65,12 @@ class LabWatch(QObject):
         if not self.alone_since and self._bench() and (names := self._wrong()):
             self.round.begin(names, time.monotonic())
             self._go_on()
+
+    def prepare(self, bench: str) -> None:
+        """A run goes on, on this bench ("": none does): whoever looks after it has nothing to load first."""
+        before, self._ready_for = self._ready_for, bench
+        if bench and bench != before:
+            self._worker.request(PrepareToRead(bench), lambda _: None, lambda _: None)
 
     def _go_on(self) -> None:
         """Ask whoever is due in this round of looks, one question after another."""
@@ -157,5 +164,6 @@ class LabWatch(QObject):
                 self._lab.update(message=fault.text)
 
     def _over(self) -> None:
-        self._asked = None
-        self._lab.update(reading=False)
+        asked, self._asked = self._asked, None
+        if asked is not None and not asked.names:
+            self._lab.update(reading=False)

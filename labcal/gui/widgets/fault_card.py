@@ -102,9 +102,10 @@ class FaultCard(WholeCard):
         row.addStretch()
         row.addWidget(self.close_card)
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
-        for part in (self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said, self.details):
+        for part in (self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said):
             self.body.addWidget(part)
         self.body.addLayout(row)
+        self.body.addWidget(self.details)  # it opens downward: its button stays below the mouse
         self.hide()
 
     def show_fault(self, fault: Fault | None) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLineEdit
+from PySide6.QtWidgets import QApplication, QGridLayout, QHBoxLayout, QLineEdit
 
 from labcal.gui.ipc.answers import CalibrationFile
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
@@ -15,6 +15,7 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.countries import country_code
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.fault_card import FaultCard
+from labcal.gui.widgets.kept_focus import focus_kept_in
 
 SHARES = (4, 2, 2)  # of the width: name, city, country
 Fields = tuple[QLineEdit, ...]
@@ -23,10 +24,10 @@ Fields = tuple[QLineEdit, ...]
 class NamesCard(Card):
     """A row of fields for each of the two who is not stated, or is to be changed; away after the first signature.
 
-    `heard`: called when it is known, or known anew, who is named.
+    `heard`: called when it is known, or known anew, who is named; with whether somebody stated it who waits here.
     """
 
-    def __init__(self, app_state: AppState, fault: FaultCard, heard: Callable[[], object]) -> None:
+    def __init__(self, app_state: AppState, fault: FaultCard, heard: Callable[[bool], object]) -> None:
         super().__init__(self.tr("Named on the certificate"))
         self._app_state, self._fault, self._heard = app_state, fault, heard
         self._one: CalibrationFile | None = None
@@ -87,11 +88,12 @@ class NamesCard(Card):
     def _ask(self, asked: WhoIsNamed | StateNames) -> None:
         def known(said: Named) -> None:
             if self._one is not None and self._one.path == asked.path:
+                waits = isinstance(asked, StateNames) and self._at_work()  # asked before what they stand in goes away
                 self.named, self._changes = said, False
                 for field in (*self.laboratory, *self.customer):
                     field.clear()
                 self._show()
-                self._heard()
+                self._heard(waits)
 
         def failed(fault: Fault) -> None:
             self._check()  # it may be tried again
@@ -158,11 +160,17 @@ class NamesCard(Card):
             return self.tr("A country is two letters, as DE, or its name.")
         return self.tr("Keep waits for: {0}.").format(", ".join(empty)) if empty else ""
 
+    def _at_work(self) -> bool:
+        """Whether the focus is here."""
+        here = QApplication.focusWidget()
+        return here is not None and self.isAncestorOf(here)
+
     def _keep(self) -> None:
         if self._one is not None:
             self._fault.show_fault(None)
             self._ask(StateNames(self._one.path, _typed(self.laboratory), _typed(self.customer)))
-            self.keep.setEnabled(False)
+            with focus_kept_in(self, *self.laboratory[:1], *self.customer[:1]):
+                self.keep.setEnabled(False)
             self._say(self.tr("Being kept …"), "muted")
 
 

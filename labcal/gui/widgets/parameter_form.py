@@ -96,17 +96,23 @@ class ParameterForm(QWidget):
         grid.setVerticalSpacing(GRID)
         self._parts: dict[str, tuple[QWidget, ...]] = {}
         self._grid, self._narrow = grid, False
-        for row, spec in enumerate(specs):
-            self._add(grid, 2 * row, spec)
         self._folded = list(specs[SEEN:]) if len(specs) > SEEN + 1 else []
+        for row, spec in enumerate(specs):
+            self._add(grid, self._row(row), spec)
         self.more = button("", self.tr("Settings that most runs leave as they are"))
         self.more.setCheckable(True)
         self.more.toggled.connect(self._fold)
-        grid.addWidget(self.more, 2 * len(specs), 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
+        grid.addWidget(self.more, 2 * SEEN, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)  # what it opens comes below it
         self.more.setVisible(bool(self._folded))
         grid.setColumnStretch(3, 1)
         grid.setRowStretch(2 * len(specs) + 1, 1)
+        if self._folded:
+            self.setTabOrder(self.fields[specs[SEEN - 1].name], self.more)
         self._check()
+
+    def _row(self, setting: int) -> int:
+        """Of the grid, where this setting stands: two rows each, and one for the button before the folded ones."""
+        return 2 * setting + int(bool(self._folded) and setting >= SEEN)
 
     def _add(self, grid: QGridLayout, row: int, spec: ParameterSpec) -> None:
         name = QLabel(title_of(spec))
@@ -134,7 +140,7 @@ class ParameterForm(QWidget):
         for row, spec in enumerate(self._specs):
             complaint = self.complaints[spec.name]
             self._grid.removeWidget(complaint)
-            place = (2 * row + 1, 0, 1, 4) if narrow else (2 * row, 3, 1, 1)
+            place = (self._row(row) + 1, 0, 1, 4) if narrow else (self._row(row), 3, 1, 1)
             self._grid.addWidget(complaint, *place)
 
     def _chooser(self, spec: ParameterSpec) -> QPushButton:

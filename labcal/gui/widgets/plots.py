@@ -10,10 +10,10 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
-from labcal.gui.theming.theme import Theme
+from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import MINUS, NARROW_SPACE
 from labcal.gui.widgets.deferred_repaint import DeferredRepaint
@@ -24,6 +24,7 @@ LEAST_PX = 96  # of traces: their axis bears its name
 GAP_S = 2.0  # without a reading: no line
 MAX_POINTS = 1500  # points of a locus
 JUMP = 0.35  # between two neighbours on the unit sphere that belong to different turns
+CIRCLES_PX = 18 * GRID  # so high are circles at least: a turn is seen in them, and what is below them rolls
 VIEWS = ((0, 1), (1, 2), (2, 0))  # what each projection shows to the right and upwards
 WIDE_GAP = "&nbsp; &nbsp; "
 BEFORE_ALPHA = 130  # of 255: what was before lies behind
@@ -217,6 +218,11 @@ class Loci(QWidget):
     def showEvent(self, event: object) -> None:
         """All of it, where it comes into sight before it was whole."""
         self._whole()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """No lower than each of them is wide, up to what a turn is seen in: then it is rolled, and not squeezed."""
+        super().resizeEvent(event)
+        self.setMinimumHeight(min(CIRCLES_PX, event.size().width() // len(VIEWS)))
 
     def _whole(self) -> None:
         while self.build_more():

@@ -15,6 +15,7 @@ from labcal.gui.widgets.roomy import Roomy
 
 THOUSANDTHS = 1000
 LONGEST_TIME, LONGEST_LEFT = "00:00", "00:00:00"
+DAY_S = 86_400.0
 UNBROKEN = "\N{NON-BREAKING HYPHEN}"  # the name of a step stays on one line
 
 
@@ -56,7 +57,8 @@ class TimeLeft(QWidget):
         if wanted == self._room:
             return
         self._room = wanted
-        done = self.tr("Done at about {0}").format(LONGEST_TIME)
+        tomorrow = clock_time(datetime.now(), DAY_S)  # a run that is done on another day says which
+        done = self.tr("Done at about {0}").format(tomorrow)
         titles = {needed_title(name).replace("-", UNBROKEN) for name in wanted[0]}
         needed = (self.tr("You are needed at {0}: {1}").format(LONGEST_TIME, title) for title in titles)
         soon = (self.tr("You are needed within a minute: {0}").format(title) for title in titles)
