@@ -55,10 +55,11 @@ def unmarked(page):
     return {text for text in plain if MARK not in text and re.search("[A-Za-z]{2}", text)} - DATA
 
 
-def test_every_word_of_each_page_is_in_the_ts_file(still, marked):
+def test_every_word_of_each_page_is_in_the_ts_file(new_window, marked):
+    """In a window of its own: what two Run pages say of their forms to one state would be said of both."""
     missing = {}
     for entry in OUR_PAGES:
-        page = build_page(entry, still.app_state, still.theme)
+        page = build_page(entry, new_window.app_state, new_window.theme)
         try:
             missing[entry.name] = unmarked(page)
         finally:
