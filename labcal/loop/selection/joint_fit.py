@@ -22,7 +22,7 @@ from labcal.model.effects import Scene, Term, families
 
 Array = NDArray[np.float64]
 STEPS = 8
-HALVINGS = 16  # of a step that does not lower the sum of squares
+LEAST_FALL = 1e-9  # of the sum of squares: less is lost in rounding
 ROUNDS = 30  # of fixed-point iteration: an effect of the field acts on the field that contains the effect
 SETTLED_nT = 0.1  # change that ends it
 SLOPE_STEP_nT = 5.0  # over which the slope of an effect in the field is taken
@@ -103,12 +103,10 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
         if any(term.of_beginnings and not own.any() for term, own in zip(terms, beta, strict=True)):
             loops = _added(here, beta, step)  # how large a loop is, is known from here on, and with it how it may begin
             step = _step(here, terms, beta, used, A, loops)
-        there = _line_search(here, terms, beta, step, used, loops)
+        there = _line_search(here, terms, beta, step, used, loops, float(np.sum((A @ step) ** 2)))
         if there is None:
             break
         here, terms, beta = there
-        if _negligible(A, step):
-            break
     here, terms, beta = _summed_to_zero(here, terms, beta, used)
     return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
 
@@ -198,16 +196,19 @@ def _line_search(
     step: Array,
     used: NDArray[np.bool_],
     loops: tuple[Array, ...],
+    promised: float,
 ) -> Point | None:
-    """The point a step on, or a part of it that does not raise the sum of squares; None where none does."""
-    limit = _misfit(here, terms, beta, used, loops) * (1 + 1e-9)
-    for _ in range(HALVINGS):
+    """The point a step on, or a part of it that lowers the sum of squares; None where none does, or what is `promised`
+    to fall is lost in rounding.
+    """
+    now = _misfit(here, terms, beta, used, loops)
+    while promised > LEAST_FALL * now:
         bare, stepped = _stepped(here, terms, beta, step)
         on_secants = tuple(term.over_own_secants(b) for term, b in zip(terms, stepped, strict=True))
         there = _relinearised(bare, on_secants, stepped)
-        if _misfit(there, on_secants, stepped, used, loops) <= limit:
+        if _misfit(there, on_secants, stepped, used, loops) < (1 - LEAST_FALL) * now:
             return there, on_secants, stepped
-        step = step / 2
+        step, promised = step / 2, promised / 4
     return None
 
 
@@ -232,10 +233,6 @@ def new_share_needed(
     apart = here.residual_nT + sum_of_effects(terms, beta, here.scene)
     left = left_by_the_best_map(here.T[used], here.whiten[used], apart[used])
     return min_new_share(left, here.scene.field_nT[used])
-
-
-def _negligible(A: Array, step: Array) -> bool:
-    return bool(np.sqrt(np.mean((A @ step) ** 2)) < 1e-4)
 
 
 def _stepped(

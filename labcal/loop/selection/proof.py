@@ -13,6 +13,7 @@ from labcal.loop.candidates.library import Candidate, Cause
 from labcal.loop.candidates.scorer import CandidateSet, Scored
 from labcal.loop.data.noise_floor import NoiseFloor
 from labcal.loop.data.outliers import hampel_outliers, outlier_distance
+from labcal.loop.parallel import parallel_map
 from labcal.loop.selection.crossval import NEVER, BlockFolds, HeldOutErrors, cross_validate, fixed_choice
 from labcal.loop.selection.equivalents import Equivalent, equivalent_models, nearly_done_by_readings
 from labcal.loop.selection.heldout_rules import alternatives_within_misfit, n_reportable
@@ -220,7 +221,8 @@ def relinearised(pool: CandidateSet, barred: frozenset[Cause] = frozenset()) -> 
     if not accepted or (pool.problem.kind == "vector" and not _is_nonlinear(pool, accepted)):
         return pool
     tried = [accepted, *_smaller(pool, rankings[0], accepted, barred)]
-    around = min((joint_fit(pool.whole, [c.term for c in some], pool.valid) for some in tried), key=information)
+    fits = parallel_map(lambda some: joint_fit(pool.whole, [c.term for c in some], pool.valid), tried)
+    around = min(fits, key=information)
     pool.forget_columns()
     again = CandidateSet.of(around.uncorrected(), pool.min_noise_level, pool.tell)
     return without_outliers(again, None if pool.valid.all() else ~pool.valid)
