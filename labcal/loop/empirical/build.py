@@ -73,7 +73,7 @@ def _ranked(pool: CandidateSet, null: NullModel, names: Inputs, spectra: Sequenc
     """A function of these inputs at the length that is most likely."""
     reduced = _reduced(pool, null, _plain(pool, names), spectra)
     each = [
-        _Ranked(names, length, reduced.best(_on_each_axis(functions_of_length(len(names), length))))
+        _Ranked(names, length, reduced.best_times(_on_each_axis(functions_of_length(len(names), length))))
         for length in LENGTHS[len(names)]
     ]
     return max(each, key=lambda w: w.marginal.log)

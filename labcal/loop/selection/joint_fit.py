@@ -103,7 +103,7 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
         if any(term.of_beginnings and not own.any() for term, own in zip(terms, beta, strict=True)):
             loops = _added(here, beta, step)  # how large a loop is, is known from here on, and with it how it may begin
             step = _step(here, terms, beta, used, A, loops)
-        there = _line_search(here, terms, beta, step, used, loops, float(np.sum((A @ step) ** 2)))
+        there = _line_search(here, terms, beta, step, used, loops, A @ step)
         if there is None:
             break
         here, terms, beta = there
@@ -196,19 +196,20 @@ def _line_search(
     step: Array,
     used: NDArray[np.bool_],
     loops: tuple[Array, ...],
-    promised: float,
+    moved: Array,
 ) -> Point | None:
-    """The point a step on, or a part of it that lowers the sum of squares; None where none does, or what is `promised`
-    to fall is lost in rounding.
+    """The point a step on, or a part of it that lowers the sum of squares; None where none does.
+
+    The step takes off what it has `moved`: where that is lost in rounding, nothing falls.
     """
     now = _misfit(here, terms, beta, used, loops)
-    while promised > LEAST_FALL * now:
+    while np.sum(moved**2) > LEAST_FALL * now:
         bare, stepped = _stepped(here, terms, beta, step)
         on_secants = tuple(term.over_own_secants(b) for term, b in zip(terms, stepped, strict=True))
         there = _relinearised(bare, on_secants, stepped)
         if _misfit(there, on_secants, stepped, used, loops) < (1 - LEAST_FALL) * now:
             return there, on_secants, stepped
-        step, promised = step / 2, promised / 4
+        step, moved = step / 2, moved / 2
     return None
 
 

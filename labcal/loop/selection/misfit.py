@@ -76,7 +76,7 @@ def likeliest(model: NullModel, missed: Sequence[Span]) -> float:
     columns = np.concatenate([span.columns for span in missed], axis=2)
     if columns.shape[2] > MOST_DIRECTIONS:
         columns = columns[:, :, np.argsort(-np.einsum("nqc,nqc->c", columns, columns))[:MOST_DIRECTIONS]]
-    found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best(np.eye(columns.shape[2]))
+    found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best()
     return max(found.log, model.null.log)
 
 
