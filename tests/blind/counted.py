@@ -59,6 +59,7 @@ def figures(rows: Sequence[Row]) -> dict[str, str]:
     offered = [(r, d) for r in told for d in r["truth"]["decoys"]]
     claims = [r["after"] / r["fresh"] for r in told if r["verdict"] in ("clean", "explained")]
     over = [r["fresh"] / r["knew"] for r in known]
+    within = [r["fresh_within"] / r["knew"] for r in known if np.isfinite(r.get("fresh_within", np.nan))]
     stated = [r for r in told if np.isfinite(r["over_stated"])]
     whole = [r["over_stated"] for r in stated if r["verdict"] in ("clean", "explained")]
     structured = [r["over_stated"] for r in stated if r["verdict"] not in ("clean", "explained")]
@@ -76,6 +77,7 @@ def figures(rows: Sequence[Row]) -> dict[str, str]:
         "`ambiguous` where one cause is at work": _of(single, lambda r: r["verdict"] == "ambiguous"),
         "claimed over fresh error, 10 to 90 % (`clean`, `explained`)": quantiles(claims, (0.1, 0.9)),
         "fresh error over a fit that knew, median to 90 %": quantiles(over, (0.5, 0.9)),
+        "rows without a flag over a fit that knew of all rows, median to 90 %": quantiles(within, (0.5, 0.9)),
         "fresh error over u_nT, rows without a flag, 10 to 90 % (`clean`, `explained`)": quantiles(whole, (0.1, 0.9)),
         "the same where structure is left": quantiles(structured, (0.1, 0.9)),
         "seconds of processor a run, median to largest": quantiles(seconds, (0.5, 1.0)),

@@ -58,6 +58,7 @@ def put_through(folder: Path) -> Row:
         "before": closed.before.holdout_rms_nT,
         "after": closed.after.holdout_rms_nT,
         "fresh": _rms(wrong),
+        "fresh_within": _rms(wrong[~flagged]),  # of rows without a flag
         "knew": knew,
         "flagged": float(flagged.mean()),
         "over_stated": _rms(wrong[~flagged]) / _rms(np.sqrt(components) * stated[~flagged]),  # of rows without a flag
