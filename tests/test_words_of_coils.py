@@ -51,6 +51,8 @@ NO_CLAIM = {
     "The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to "
     "zero when a session ends, breaks off or no longer answers.": HELP,
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
+    "✕ HANDS OFF: a coil is still on, the field says so": READ,
+    "a coil is still on by the field": READ,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
     "a supply of an earlier session is not at zero: {0}": NOT_KNOWN,
     "✕ Supplies of an earlier session are not at zero: {0}": NOT_KNOWN,

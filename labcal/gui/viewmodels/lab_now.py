@@ -330,13 +330,6 @@ def platform_drawn(words: str, coil_words: str = "") -> tuple[str, str]:
     return ("◌", "old") if ", read " in words else ("●", OFF)
 
 
-def still_live(now: LabNow) -> str:
-    """By what was read last: coils that are on, or not confirmed, a platform that turns or may; "" else."""
-    turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
-    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else alarm_of(now.coil_words).removeprefix("✕ ")
-    return ", ".join(filter(None, (on, translated(turns) if turns else "")))
-
-
 def alarm_of(coil_words: str) -> str:
     """Short, where the coils are not at zero though they were to be: nothing goes on as it was planned; else ""."""
     shape, mark = mark_of(coil_words)

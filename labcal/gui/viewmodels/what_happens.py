@@ -12,10 +12,10 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.field_witness import field_says
+from labcal.gui.viewmodels.field_witness import field_says, still_live
 from labcal.gui.viewmodels.hands import FAILED, READY, RETRY, coming
 from labcal.gui.viewmodels.hands_now import MAY, hands_of
-from labcal.gui.viewmodels.lab_now import OFF, WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import OFF, WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
