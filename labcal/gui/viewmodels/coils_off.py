@@ -20,7 +20,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
-from labcal.gui.viewmodels.known_lab import KnownLab
+from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_heard import looked_at, named_before, wrong
 from labcal.gui.viewmodels.lab_now import LabNow, mark_of, off_words, platform_mark, platform_said
@@ -179,7 +179,8 @@ class CoilsOff(QObject):
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
         window = self._window
         coils = () if window.known is None else window.known.coils
-        read = window.left.unconfirmed.left or any(coil.read_s is not None for coil in coils)
+        heard = bool(set(supplies(window.facts).values()) & window.kept.heard)  # all of them may be silent by now
+        read = window.left.unconfirmed.left or heard or any(coil.read_s is not None for coil in coils)
         tell = self.tellers() if read and not window.left.objection() else ()  # another process drives it
         return tuple(dict.fromkeys((*wrong(window.known, window.facts), *tell)))
 

@@ -16,6 +16,7 @@ from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, of
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
+from labcal.gui.viewmodels.last_heard import LastHeard
 from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
@@ -36,13 +37,15 @@ class KnownLab:
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
         self._lost_s: float | None = None  # since when a supply gives no answer
-        self._last, self._said = LastCurrents(), SaidLast()
+        self._last, self._said, self._heard = LastCurrents(), SaidLast(), LastHeard()
+        self._missed_s: float | None = None  # when those coils were read that were not read again in time
         self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
     def take(self, known: state.LabState, now_s: float) -> None:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
         self._last.keep(known.coils)
+        self._heard.keep(known)
         self._lost_s = (self._lost_s or now_s) if _lost(known) else None
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
         agrees = known.reference.verdict == "agrees" and all(coil.current_A is not None for coil in known.coils)
@@ -114,8 +117,9 @@ class KnownLab:
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
         known = self.as_now(facts, now_s)
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
+        by_s = self._patience_s(known, now_s, by_s, driven=driven)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
-        now = replace(now, in_common=_in_common(known, facts))
+        now = replace(now, in_common=_in_common(known, facts), heard_at_s=self._heard.at_s(supplies(facts)))
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:
             now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
         if known is not None:
@@ -125,6 +129,15 @@ class KnownLab:
         if known is None and (driven or facts is not None):
             now = replace(now, coil_words=state.NOT_YET if driven else state.NOT_READ)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
+
+    def _patience_s(self, known: state.LabState | None, now_s: float, by_s: float, *, driven: bool) -> float:
+        """`by_s`, and none for a reading that was missed once: whom else its next look waited for does not bring it back."""
+        read_s = None if known is None else min((c.read_s for c in known.coils if c.read_s is not None), default=None)
+        if driven or read_s is None:
+            self._missed_s = None
+        elif now_s - read_s > by_s:
+            self._missed_s = read_s
+        return 0.0 if read_s is not None and read_s == self._missed_s else by_s
 
     def _field_more(
         self, known: state.LabState, facts: Bench | None, now_s: float

@@ -174,7 +174,6 @@ def lab_now(
         field_changing=driven and lab.field.changing and old_s(seen_s, now_s) is None,
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
-        heard_at_s=tuple((one.name, one.heard_s) for one in lab.instruments if one.heard_s is not None),
         silent_tellers=tuple(n for n, role in roles.items() if role.startswith(TELLERS) and n in silent),
         coils_lost=any(role.startswith("coil-") for role in lost),
         platform_lost="platform" in lost,
