@@ -9,15 +9,16 @@ import math
 from dataclasses import replace
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED
+from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED, NO_AMBIENT
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.last_heard import LastHeard
-from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew
+from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
@@ -48,13 +49,29 @@ class KnownLab:
         self._heard.keep(known)
         self._lost_s = (self._lost_s or now_s) if _lost(known) else None
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
+        figures = known.reference.expected_nT is not None  # else nothing can be compared with it
         agrees = known.reference.verdict == "agrees" and all(coil.current_A is not None for coil in known.coils)
+        agrees = agrees and figures
         if agrees or mounted_anew(known):  # beside a silent supply an agreement tells nothing: it is from before
             self._agreed = None if mounted_anew(known) else known
         if known.reference.why == MOVED:
             self._off = None
         elif agrees and (self._off is None or known.reference.why != BEFORE_HANDS):  # that is as old as it was
             self._off = known
+
+    def of_run(self, known: state.LabState, facts: Bench | None, now_s: float) -> state.LabState:
+        """As a run says that it is; while that has nothing to compare a zero with, by what was measured before it."""
+        zero = all(coil.zero for coil in known.coils) and not known.field.changing
+        if facts is None or facts.virtual_time or known.reference.why != NO_AMBIENT or not zero:
+            return known
+        before, field = self.state, known.field
+        if field.seen_nT is None:
+            rested = before is not None and bool(before.coils) and all(coil.zero for coil in before.coils)
+            agreed = before is not None and before.reference.verdict == "agrees"
+            return replace(known, reference=before.reference) if before is not None and rested and agreed else known
+        said = InstrumentRead("", "reference", "", read_s=field.read_s, field_nT=field.seen_nT)
+        found = seconded(known, (said,), None, self.off(facts, now_s))
+        return found if found.reference.verdict == "agrees" else known
 
     def off(self, facts: Bench | None, now_s: float) -> Off | None:
         """What the reference saw with the coils off, however long ago."""
