@@ -47,6 +47,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.said_at import say_below
+from labcal.gui.widgets.over_page import OverPage
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
 from labcal.gui.widgets.sounds import is_on, switch
@@ -83,10 +84,11 @@ class Window(Frame):
         self._before_wall: QSize | None = None
         self.fault, self.earlier = FaultCard(hands=app_state.hands), EarlierCard(app_state.off.earlier, app_state.lab)
         self.scan_card, self.shown_bar = ScanCard(app_state.scan_vm), ShownBar(app_state)
-        self.cards = self.fault, self.earlier, self.scan_card, self.shown_bar
+        self.cards = self.fault, self.earlier, self.shown_bar, self.scan_card
         for card in self.cards:
             card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
+        OverPage(self.scan_card, self.stack)
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
@@ -105,6 +107,7 @@ class Window(Frame):
     def _connect(self, app_state: AppState) -> None:
         self.leaving.leave.connect(self.leave)
         self.scanner.scanned.connect(self._scanned)
+        self.scanner.asked = lambda: app_state.login.locked or app_state.run.asks_serial
         app_state.login.changed.connect(self._show_login)
         self.lock_switch.clicked.connect(app_state.login.lock)
         self._show_login()
@@ -319,7 +322,7 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
-        return self.scan_card.hear(self.app_state, self.scanner, text)
+        return self.scan_card.hear(self.app_state, text)
 
     def _show_login(self) -> None:
         """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""
