@@ -46,8 +46,8 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
-from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.over_page import OverPage
+from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
 from labcal.gui.widgets.sounds import is_on, switch

@@ -29,6 +29,7 @@ from labcal.gui.ipc.messages import (
     Done,
     Failed,
     FitRun,
+    LinesTaken,
     ListRuns,
     NewKey,
     Progress,
@@ -36,7 +37,6 @@ from labcal.gui.ipc.messages import (
     Request,
     Sign,
     StateRead,
-    Taken,
     Word,
 )
 from labcal.gui.ipc.wire import BROKEN, Fault
@@ -291,7 +291,7 @@ def test_the_window_says_what_it_has_taken_with_the_states_that_others_overtook(
     client.progress.connect(seen.append)
     client.request(ListRuns(), seen.append, seen.append)
     send, client.send = client.send, lambda word: (words.append(word), send(word))
-    qtbot.waitUntil(lambda: Taken(len(said)) in words, timeout=patience)
+    qtbot.waitUntil(lambda: LinesTaken(len(said)) in words, timeout=patience)
     client.close(500)
 
 

@@ -37,7 +37,12 @@ def wall(seconds_ago):
 def test_at_rest_one_is_out_since_it_was_heard_last(real):
     app_state = real.app_state
     app_state.watch.stop()
-    for name, silent in (("supply_z", ()), ("supply_z", ("supply_z",)), ("reference", ()), ("reference", ("reference",))):
+    for name, silent in (
+        ("supply_z", ()),
+        ("supply_z", ("supply_z",)),
+        ("reference", ()),
+        ("reference", ("reference",)),
+    ):
         app_state.watch.read_again((name,))
         answers(real, (name,), silent=silent, ago_s=20.0)
     since = LostSince().since(app_state.lab.state.now)

@@ -14,7 +14,7 @@ from typing import TextIO
 from labcal.bench.coils.state import LabState
 from labcal.errors import InputError
 from labcal.gui.ipc.backlog import PastMessages
-from labcal.gui.ipc.in_step import InStep
+from labcal.gui.ipc.keeps_step import KeepsStep
 from labcal.gui.ipc.lines import number_in, read_request, write_line
 from labcal.gui.ipc.messages import (
     Abort,
@@ -26,6 +26,7 @@ from labcal.gui.ipc.messages import (
     GoesOn,
     GoOn,
     HangUp,
+    LinesTaken,
     Note,
     Pause,
     Recorded,
@@ -35,7 +36,6 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
     StateRead,
     Stop,
-    Taken,
     Word,
 )
 from labcal.gui.ipc.wire import fault_of
@@ -71,7 +71,10 @@ class Channel:
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
-        self._in_step, self._keeps_step = InStep(), False  # a simulated run does; real instruments wait for no window
+        self._in_step, self._keeps_step = (
+            KeepsStep(),
+            False,
+        )  # a simulated run does; real instruments wait for no window
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
         self._paused_here = False  # for a window that stands still
         self._watched, self._hung_up, self._let_go = watched, False, let_go
@@ -299,7 +302,7 @@ class Channel:
                 self.control.abort()
             case Note(text, data):
                 self.control.note(text, **data)
-            case Taken(lines):
+            case LinesTaken(lines):
                 self._in_step.taken(lines)
             case Beat():
                 pass

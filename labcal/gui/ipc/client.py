@@ -25,11 +25,11 @@ from labcal.gui.ipc.messages import (
     Failed,
     GoesOn,
     HangUp,
+    LinesTaken,
     Progress,
     Recorded,
     Request,
     StateRead,
-    Taken,
     Word,
 )
 from labcal.gui.ipc.wire import OWN_MISTAKE, Fault
@@ -195,7 +195,7 @@ class Client(QObject):
         """The worker of a simulated run waits where this window is behind."""
         if self._taken > self._said_taken:
             self._said_taken = self._taken
-            self.send(Taken(self._taken))
+            self.send(LinesTaken(self._taken))
 
     def _take(self, line: bytes) -> None:
         """A line that is no message comes of a worker that is broken: it ends."""

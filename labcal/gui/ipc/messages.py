@@ -35,10 +35,10 @@ from labcal.gui.ipc.words import Answer as Answer
 from labcal.gui.ipc.words import Beat as Beat
 from labcal.gui.ipc.words import GoOn as GoOn
 from labcal.gui.ipc.words import HangUp as HangUp
+from labcal.gui.ipc.words import LinesTaken as LinesTaken
 from labcal.gui.ipc.words import Note as Note
 from labcal.gui.ipc.words import Pause as Pause
 from labcal.gui.ipc.words import Stop as Stop
-from labcal.gui.ipc.words import Taken as Taken
 from labcal.record.stream import Item
 from labcal.uncertainty.conformity import Changes
 

@@ -14,7 +14,7 @@ class Beat(Word):
 
 
 @dataclass(frozen=True, slots=True)
-class Taken(Word):
+class LinesTaken(Word):
     """So many lines of the worker this window has taken, in all."""
 
     lines: int

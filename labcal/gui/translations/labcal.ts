@@ -935,6 +935,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>of a simulated lab the reference is not read at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the reference does not answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7534,11 +7538,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It was typed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Into the field where it was typed; it is no scan</source>
+        <source>✕ Scanned, and not taken: no serial has blanks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9160,10 +9160,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>heard before</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9245,6 +9241,10 @@ after this step …</source>
     </message>
     <message>
         <source>the platform was ordered to stop, and is not seen to stand yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9716,6 +9716,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the step is broken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the run begins</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9904,7 +9908,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
+        <source>✓ The zero was checked: supplies and reference agree. A run may begin again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10008,6 +10012,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a coil is still on by the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ HANDS OFF: a coil is still on, the field says so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10040,7 +10052,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not read yet: {0}</source>
+        <source>Still to be read: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -92,7 +92,7 @@ class CoilsOff(QObject):
         self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
-        self._report: tuple[str, str] | None = None  # the coils' part, and all of it, where the platform's is to come
+        self._report: tuple[str, str, str] | None = None  # coils, time and all of it, where the platform is to come
         self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
@@ -146,8 +146,9 @@ class CoilsOff(QObject):
         else:
             old = platform_mark(window.lab.state.now.platform_words)[1] == "old"  # of before it was told to stop
             later = old or (said.platform is not None and said.platform.fault == NOT_YET)  # it is looked at again
-            report = off_words(words, window.lab.state.now.platform_words, later=later)
-            self._report = (words, report) if later else None
+            at = time.strftime("%H:%M:%S")
+            report = off_words(words, window.lab.state.now.platform_words, at, later=later)
+            self._report = (words, at, report) if later else None
             window.lab.update(message=report)
             window.grow_old()  # what the line says holds for hands at the same moment
         if said.doubt and zero:
@@ -289,8 +290,9 @@ class CoilsOff(QObject):
         """What became of the platform after COILS OFF, where the line below still says that it is not known."""
         report, self._report = self._report, None
         state = self._window.lab.state
-        if report is not None and state.message == report[1]:
-            self._window.lab.update(message=off_words(report[0], state.now.platform_words))
+        if report is not None and state.message == report[2]:  # the same sentence, now with its end
+            said = off_words(report[0], state.now.platform_words, report[1])
+            self._window.lab.update(message=said, said_at=state.said_at)
 
     def forget(self) -> None:
         """Of another bench nothing was said."""

@@ -137,6 +137,8 @@ class KnownLab:
         by_s = self._patience_s(known, now_s, by_s, driven=driven)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts), heard_at_s=self._heard.at_s(supplies(facts)))
+        if not driven and facts is not None and facts.virtual_time:
+            now = _not_read_on(now)
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:
             now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
         if known is not None:
@@ -148,7 +150,7 @@ class KnownLab:
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
 
     def _patience_s(self, known: state.LabState | None, now_s: float, by_s: float, *, driven: bool) -> float:
-        """`by_s`, and none for a reading that was missed once: whom else its next look waited for does not bring it back."""
+        """`by_s`, and none for a reading that was missed once: it does not come back while the next look is waited for."""
         read_s = None if known is None else min((c.read_s for c in known.coils if c.read_s is not None), default=None)
         if driven or read_s is None:
             self._missed_s = None
@@ -205,6 +207,16 @@ class KnownLab:
         rates = {} if facts is None else dict(zip("xyz", facts.cage.ramp_A_per_s, strict=False))
         coils = () if self.state is None else self.state.coils
         return max((abs(c.current_A or 0.0) / rates[c.axis] for c in coils if c.axis in rates), default=0.0)
+
+
+def _not_read_on(now: LabNow) -> LabNow:
+    """At rest the reference of a simulated lab is another lab's: how long ago it agreed would grow for ever."""
+    if not now.reference_agreed or (now.reference_old_s or 0) <= WATCHED_S:
+        return now
+    alone = now.coil_words.startswith(state.BY_WORD)
+    return replace(
+        now, alone=state.NOT_READ_ON, coil_words=f"{state.BY_WORD}: {state.NOT_READ_ON}" if alone else now.coil_words
+    )
 
 
 def _lost(known: state.LabState) -> set[str]:

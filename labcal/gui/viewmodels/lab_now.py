@@ -32,8 +32,8 @@ HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
 UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
-    "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
-    "its controller",
+    "press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
+    "controller",
 )
 STOP_UNSEEN = QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet")
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are looked at more often), and its answer
@@ -300,13 +300,13 @@ def _seen_between(now: LabNow) -> bool:
     return recent and now.coil_words.startswith(state.BY_WORD) and not now.driven
 
 
-def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
-    """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands.
+def off_words(coils: str, platform_words: str, at: str, *, later: bool = False) -> str:
+    """One sentence after COILS OFF that reached zero: `at` what time, what was read back, whether the platform stands.
 
     `later`: it was told to stop, and is looked at again.
     """
     stands = translated(str(STOP_UNSEEN)) if later else ""
-    said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
+    said = translated("COILS OFF done {0}: {1}").format(at, coils)
     return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
 
 

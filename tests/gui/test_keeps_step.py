@@ -1,6 +1,7 @@
 """A simulated run keeps step with its window: it stands still while that has not taken what was said long ago."""
 
 import io
+import os
 import threading
 import time
 
@@ -8,9 +9,9 @@ import pytest
 
 from labcal.bench.coils.state import LabState
 from labcal.gui.ipc.channel import Channel
-from labcal.gui.ipc.in_step import AHEAD_S
+from labcal.gui.ipc.keeps_step import AHEAD_S
 from labcal.gui.ipc.lines import write_line
-from labcal.gui.ipc.messages import Abort, Taken
+from labcal.gui.ipc.messages import Abort, LinesTaken
 from labcal.record.stream import Event
 
 LONG_S = 5 * AHEAD_S
@@ -23,8 +24,10 @@ def run():
 
     def begin(*, simulated=True):
         messages = io.StringIO()
-        channel = Channel(io.StringIO(), messages)
+        hears, says = os.pipe()
+        channel = Channel(os.fdopen(hears), messages)
         channel.run_begins(simulated)
+        threading.Thread(target=lambda: list(channel.requests()), daemon=True).start()
 
         def go():
             while not over:
@@ -33,14 +36,14 @@ def run():
                 time.sleep(0.02)
 
         threading.Thread(target=go, daemon=True).start()
-        return channel, lambda: messages.getvalue().count("\n")
+        return says, lambda: messages.getvalue().count("\n")
 
     yield begin
     over.append(True)
 
 
-def hear(channel, word):
-    channel._hear(io.StringIO(f"{write_line(word)}\n"))
+def hear(says, word):
+    os.write(says, f"{write_line(word)}\n".encode())
 
 
 def stands(lines):
@@ -63,24 +66,24 @@ def goes_on(lines, after):
 
 
 def test_it_waits_for_a_window_that_is_behind_and_goes_on_with_it(run):
-    channel, lines = run()
-    hear(channel, Taken(1))
+    says, lines = run()
+    hear(says, LinesTaken(1))
     said = stands(lines)
-    hear(channel, Taken(said))
+    hear(says, LinesTaken(said))
     goes_on(lines, said)
 
 
 def test_its_way_out_waits_for_nobody(run):
-    channel, lines = run()
-    hear(channel, Taken(1))
+    says, lines = run()
+    hear(says, LinesTaken(1))
     said = stands(lines)
-    hear(channel, Abort())
+    hear(says, Abort())
     goes_on(lines, said)
 
 
 def test_one_of_real_instruments_waits_for_no_window(run):
-    channel, lines = run(simulated=False)
-    hear(channel, Taken(1))
+    says, lines = run(simulated=False)
+    hear(says, LinesTaken(1))
     began = time.monotonic()
     while time.monotonic() - began < LONG_S:
         said = lines()

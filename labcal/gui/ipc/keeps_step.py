@@ -11,7 +11,7 @@ AHEAD_S = 0.2  # by so much a run may be ahead of what its window has taken
 LOOK_S = 0.005
 
 
-class InStep:
+class KeepsStep:
     """Counts the lines that went to a window, and those that it says it has `taken`; one that never says so has all."""
 
     def __init__(self) -> None:
