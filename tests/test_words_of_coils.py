@@ -75,7 +75,7 @@ NO_CLAIM = {
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
     "Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.": ORDER,
     "COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.": ORDER,
-    "press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
+    "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
     "controller": ORDER,
     "Stop the platform (COILS OFF)": ORDER,
     "The platform kept turning: COILS OFF is given anew, and stops it …": REFUSED,

@@ -9244,7 +9244,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
+        <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -9245,8 +9245,8 @@ diesem Schritt …</translation>
         <translation>der Tisch wurde angehalten, und niemand hat ihn bisher stehen sehen</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
-        <translation>SPULEN AUS (F12) drücken: Das hält auch den Tisch an, wenn er erreichbar ist. Dreht er weiter, an seinem Steuergerät anhalten</translation>
+        <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an, wenn er erreichbar ist. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>
         <source>platform turning</source>

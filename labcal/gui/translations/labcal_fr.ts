@@ -9245,8 +9245,8 @@ cette étape …</translation>
         <translation>la plate-forme a reçu l’ordre de s’arrêter, et personne ne l’a encore vue arrêtée</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
-        <translation>appuyez sur BOBINES À ZÉRO (F12) : cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+        <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>platform turning</source>

@@ -150,7 +150,7 @@ class KnownLab:
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
 
     def _patience_s(self, known: state.LabState | None, now_s: float, by_s: float, *, driven: bool) -> float:
-        """`by_s`, and none for a reading that was missed once: it does not come back while the next look is waited for."""
+        """`by_s`, and none for a reading that was missed once: it does not come back while the next is waited for."""
         read_s = None if known is None else min((c.read_s for c in known.coils if c.read_s is not None), default=None)
         if driven or read_s is None:
             self._missed_s = None

@@ -32,7 +32,7 @@ HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
 UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
-    "press COILS OFF (F12): it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
+    "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
     "controller",
 )
 STOP_UNSEEN = QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet")

@@ -29,8 +29,8 @@ class Scanner(QObject):
     """Handles all keys (see `Frame.key_handlers`): holds them back for the blink in which a burst shows itself.
 
     A single key is handed on 40 ms later, exactly as it came; a burst replaces what stands in a field that takes scans,
-    stays in any other that takes text, but for the Enter that ends it, and is else emitted whole as `scanned`: it reaches
-    no button. `asked`: whether a scan is asked for, whatever has the focus.
+    stays in any other that takes text, but for the Enter that ends it, and else it is emitted whole as `scanned`: no
+    button has it. `asked`: whether a scan is asked for, whatever has the focus.
     """
 
     scanned = Signal(str)
