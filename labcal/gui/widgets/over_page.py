@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from labcal.gui.theming.theme import GRID
 
+OVER = "over_page"  # the property of such a card: it covers what it lies over
+
 
 class OverPage(QObject):
     """Keeps `card` over whichever page of `stack` is in sight, as high as its words need."""
@@ -14,6 +16,7 @@ class OverPage(QObject):
     def __init__(self, card: QWidget, stack: QStackedWidget) -> None:
         super().__init__(stack)
         self._card, self._stack = card, stack
+        card.setProperty(OVER, True)
         hidden = card.isHidden()
         card.setParent(stack)  # which hides it
         card.setHidden(hidden)
