@@ -51,6 +51,8 @@ NO_CLAIM = {
     "The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to "
     "zero when a session ends, breaks off or no longer answers.": HELP,
     "✕ HANDS OFF: the coils may be on": NOT_KNOWN,
+    "✕ HANDS OFF: a coil is still on, the field says so": READ,
+    "a coil is still on by the field": READ,
     "A run goes on: the coils may be on. Hands off.": NOT_KNOWN,
     "a supply of an earlier session is not at zero: {0}": NOT_KNOWN,
     "✕ Supplies of an earlier session are not at zero: {0}": NOT_KNOWN,
@@ -58,7 +60,6 @@ NO_CLAIM = {
     "Switch them off by hand; where they are gone, say so in labcal's window after COILS OFF": ORDER,
     "Coils to zero, then what the reference sees; nothing is energised": HELP,
     "Checking the zero: coils to zero, then what the reference sees …": REFUSED,
-    "✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.": READ,
     "▲ Hands off: another process drives a run of {0}; the coils may be on": NOT_KNOWN,
     "COILS OFF was pressed at {0}; nobody has confirmed it": NOT_KNOWN,
     "the reference sees {0} µT along {1} more than with the coils off": READ,
@@ -74,8 +75,8 @@ NO_CLAIM = {
     "Is the winding whole, does the voltage suffice? Set the coils off.": ORDER,
     "Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.": ORDER,
     "COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.": ORDER,
-    "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
-    "its controller": ORDER,
+    "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
+    "controller": ORDER,
     "Stop the platform (COILS OFF)": ORDER,
     "The platform kept turning: COILS OFF is given anew, and stops it …": REFUSED,
     "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "

@@ -46,6 +46,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
+from labcal.gui.widgets.over_page import OverPage
 from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
@@ -72,9 +73,7 @@ class Window(Frame):
         self.app_state = app_state
         self.wall = str(app_state.settings.value("wall", "no")) == "yes"
         self.theme = theme or chosen_theme(app_state.settings) or system_theme()
-        self.lazy_pages = {
-            name: LazyPage(entry, app_state, lambda: self.theme, self.sheet) for name, entry in pages().items()
-        }
+        self.lazy_pages = {n: LazyPage(one, app_state, lambda: self.theme, self.sheet) for n, one in pages().items()}
         super().__init__(app_state.lab, dict(self.lazy_pages), app_state.said_for_now)
         self.style_queue = IdleQueue(self)
         self.prebuild_timer = QTimer(self, singleShot=True)
@@ -83,10 +82,11 @@ class Window(Frame):
         self._before_wall: QSize | None = None
         self.fault, self.earlier = FaultCard(hands=app_state.hands), EarlierCard(app_state.off.earlier, app_state.lab)
         self.scan_card, self.shown_bar = ScanCard(app_state.scan_vm), ShownBar(app_state)
-        self.cards = self.fault, self.earlier, self.scan_card, self.shown_bar
+        self.cards = self.fault, self.earlier, self.shown_bar, self.scan_card
         for card in self.cards:
             card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
+        OverPage(self.scan_card, self.stack)
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
@@ -105,6 +105,7 @@ class Window(Frame):
     def _connect(self, app_state: AppState) -> None:
         self.leaving.leave.connect(self.leave)
         self.scanner.scanned.connect(self._scanned)
+        self.scanner.asked = lambda: app_state.login.locked or app_state.run.asks_serial
         app_state.login.changed.connect(self._show_login)
         self.lock_switch.clicked.connect(app_state.login.lock)
         self._show_login()
@@ -320,7 +321,7 @@ class Window(Frame):
         """A serial; on the locked screen a badge."""
         if self.app_state.login.locked:
             return self.app_state.login.log_in(text)
-        return self.scan_card.hear(self.app_state, self.scanner, text)
+        return self.scan_card.hear(self.app_state, text)
 
     def _show_login(self) -> None:
         """Where it is locked nothing is in sight and nothing heard but COILS OFF and who logs in."""

@@ -108,6 +108,10 @@ class Control:
         """Whether the coils have to go to zero before anything else."""
         return self._abort.is_set() or self._left.is_set()
 
+    def ends(self) -> bool:
+        """Whether the run is to end, in whatever way."""
+        return self.stopping() or self.aborting()
+
     def check(self) -> None:
         """Raise Aborted or Stopped where that is wanted."""
         if self._abort.is_set():

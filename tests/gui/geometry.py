@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.widgets.common import AutoSizeLabel, Card, plain
 from labcal.gui.widgets.deferred_repaint import Ground
 from labcal.gui.widgets.mounting_view import Mounting
+from labcal.gui.widgets.over_page import OVER
 
 SLACK_PX = 1
 KINDS = (QLabel, QAbstractButton, QLineEdit, QComboBox)
@@ -37,7 +38,12 @@ def faults(window: QWidget) -> list[str]:
     places = [(one, _place(one, window)) for one in parts]
     for (one, place), (other, its) in combinations(places, 2):
         lies = place.intersected(its).adjusted(SLACK_PX, SLACK_PX, -SLACK_PX, -SLACK_PX)
-        if lies.isValid() and not one.isAncestorOf(other) and not other.isAncestorOf(one):
+        if (
+            lies.isValid()
+            and _over_page(one) is _over_page(other)
+            and not one.isAncestorOf(other)
+            and not other.isAncestorOf(one)
+        ):
             found.append(f"{_named(one)} and {_named(other)} lie over each other by {lies.width()} x {lies.height()}")
     return found + [fault for kind, look in PAINTED.items() for one in _seen(window, kind) for fault in look(one)]
 
@@ -48,6 +54,13 @@ def _come_to_rest(window: QWidget) -> None:
     while any(ground.isVisible() for ground in window.findChildren(Ground)) and time.monotonic() < until_s:
         QApplication.processEvents()
         time.sleep(0.002)
+
+
+def _over_page(part: QWidget | None) -> bool:
+    """Whether it is on a card that covers a part of the page."""
+    while part is not None and not part.property(OVER):
+        part = part.parentWidget()
+    return part is not None
 
 
 def _seen(window: QWidget, kind: type[QWidget]) -> list[QWidget]:

@@ -180,7 +180,7 @@ def test_a_zero_in_doubt_is_measured_again_with_the_check_and_told(still, bench,
     assert len(still.app_state.off_worker.commands(Identify)) == 2  # by itself: the doubt is older than this zero
     seen = tuple(CoilEnd(axis, 0.001, "zero, open", True, time.monotonic() - ago_s) for axis in "xyz")
     still.app_state.off_worker.answer(Identify, Identified(answers, Doubt("they agree again", True, seen)))
-    assert "The lock is lifted" in still.app_state.lab.state.message
+    assert "A run may begin again" in still.app_state.lab.state.message
     assert re.sub(r"\d\d:\d\d:\d\d", "TIME", still.side.zero_words.text()) == shown
     assert not still.fault.isVisible()
     assert still.next.text() != "Next: See to the coils"

@@ -15,6 +15,7 @@ from labcal.bench.coils.state import NOT_SINCE, FieldReading, Witness
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.beside_coils import beside_coils
+from labcal.gui.viewmodels.what_happens import what_happens
 
 STILL_ON = "✕ Hands off: the field says: still on (x, +48 µT more than with the coils off, 0 s ago)"
 OFF_NT = (20_400.0, 1_150.0, -43_700.0)
@@ -74,8 +75,11 @@ def test_beside_a_supply_that_fell_silent_with_its_current_the_field_says_so_on_
     said = f"the field says: still on (z, {of_turn[2] / 1000:+.0f} µT more than with the coils off, 0 s ago)"
     assert hands(running)[1].startswith(f"✕ Hands off: {said}; coils NOT confirmed at zero")
     assert said.replace("the field", "The field") in running.fault.coils.text()  # a sentence of its own there
+    assert running.fault.gravest.text() == "✕ HANDS OFF: a coil is still on, the field says so"
+    assert "a coil is still on by the field" in what_happens(running.app_state.run, running.app_state.lab.state.now)
     running.app_state.take_lab(replace(was, field=FieldReading(None, OFF_NT, now)))
     assert "still on" not in hands(running)[1] + running.fault.coils.text()
+    assert running.fault.gravest.text() == "✕ HANDS OFF: the coils may be on"
 
 
 @pytest.mark.parametrize("since", ["on the way down", "ordered off", "both"])

@@ -69,6 +69,7 @@ def test_contacts_are_not_said_to_answer_because_their_supplies_do(real):
     real.app_state.off.order()
     real.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros()))
     assert light()[1] == "absent"
+    real.app_state.watch_worker.answer(ReadLab, ())  # the coils
     (asked,) = real.app_state.watch_worker.commands(ReadLab)
     assert "reversers" in asked.names
     fault, now = Fault("instrument", "reversers: no valid Modbus reply."), time.monotonic()

@@ -190,20 +190,19 @@ def zeros():
 
 
 def read(window, field_nT):
-    """Answer who is read again."""
-    (asked,) = window.app_state.watch_worker.commands(ReadLab)
-    facts, now = window.app_state.facts, now_s()
-    said = []
-    for name in asked.names:
-        one = facts.instruments[name]
-        coil = one.role.startswith("coil-")
-        fault = Fault("instrument", f"{name}: silent") if one.role == "reference" and field_nT is None else None
-        field = field_nT if one.role == "reference" else None
-        said.append(
-            InstrumentRead(name, one.role, one.link, "it", fault, False, now, 0.0 if coil else None, coil, field)
-        )
-    window.app_state.watch_worker.answer(ReadLab, tuple(said))
-    return asked.names
+    """Answer whoever is read in this round, one question after another: who that was."""
+    facts, now, names, worker = window.app_state.facts, now_s(), [], window.app_state.watch_worker
+    while asked := worker.commands(ReadLab):
+        said = []
+        for name in asked[0].names:
+            one = facts.instruments[name]
+            coil, field = one.role.startswith("coil-"), field_nT if one.role == "reference" else None
+            fault = Fault("instrument", f"{name}: silent") if one.role == "reference" and field is None else None
+            read = name, one.role, one.link, "it", fault, False, now, 0.0 if coil else None, coil, field
+            said.append(InstrumentRead(*read))
+        worker.answer(ReadLab, tuple(said))
+        names += asked[0].names
+    return names
 
 
 @pytest.mark.parametrize(

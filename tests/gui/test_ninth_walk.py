@@ -96,18 +96,6 @@ def test_the_verdict_on_a_file_stands_alone(new_window):
     assert (page.drop.card.isVisible(), page.detail.isVisible()) == (False, True)
 
 
-def test_what_is_typed_quickly_and_is_no_serial_stays_in_its_field(still, qtbot):
-    field = still.page("Run").live.note
-    still.scanner.caught = (field, "spot 3 °C !?")
-    field.clear()
-    field.insert("at ")
-    still.scanner.scanned.emit("spot 3 °C !?")
-    assert field.text() == "at spot 3 °C !?"
-    assert "not taken" in still.message.text()
-    field.clear()
-    still.app_state.lab.update(message="")
-
-
 def test_the_last_estimate_of_a_tracing_stays_with_its_time_and_fills_the_bar():
     now = [0.0]
     pace = TracePace(lambda: now[0])

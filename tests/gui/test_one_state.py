@@ -116,7 +116,7 @@ def switched_off(app_state, state):
     long_ago = known.platform and replace(known.platform, read_s=now - 3.0)
     app_state.take_lab(replace(known, platform=long_ago))
     app_state.off.order()
-    ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, now) for axis in "xyz")
+    ends = tuple(CoilEnd(axis, flows_A, "zero, open", True, now) for axis, flows_A in zip("xyz", OFF, strict=True))
     app_state.off_worker.answer(SwitchOff, SwitchedOff(ends))
 
 

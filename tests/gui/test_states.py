@@ -74,6 +74,14 @@ def test_coils_off_is_heard_in_every_state(qtbot, brought):
     assert isinstance(brought.app_state.off_worker.asked[-1].command, SwitchOff)
 
 
+def test_what_was_on_its_way_when_coils_off_was_ordered_is_not_announced_as_now(qtbot, brought):
+    qtbot.keyClick(brought, Qt.Key.Key_F12)
+    ordered = brought.app_state.lab.state.message
+    send(brought, Step(6.0, 3, 4, "x+50uT", 60.0), SegmentOpened(7.0, Segment("x+50uT", "rotation")))
+    assert brought.app_state.run.state == "stopping"
+    assert brought.app_state.lab.state.message == ordered
+
+
 def test_a_run_that_comes_to_its_end_by_itself_leaves_nothing_behind_that_could_kill_the_next(qtbot, brought):
     qtbot.keyClick(brought, Qt.Key.Key_F12)
     end(brought, "failed: aborted by the operator")

@@ -55,7 +55,7 @@ def test_coils_off_is_said_to_stop_a_platform_only_where_its_line_answers():
     assert "at its controller" in platform_said(MAY_TURN)
     for now_s in (100.0, 90.5):  # read long ago, and just now
         said = platform_said(PlatformReading(33.0, moving=True, read_s=90.0).sentence(now_s))
-        assert "COILS OFF (F12) first: where its line answers that stops the platform too" in said
+        assert "COILS OFF (F12) first: it stops the platform too, if it can be reached" in said
         assert said.endswith("If it keeps turning, stop it at its controller")
 
 

@@ -56,7 +56,7 @@ def test_who_was_not_asked_yet_is_not_to_be_switched_off(real):
     real.app_state.kept.heard.add("supply_x")
     real.app_state.take_lab(LabState(known, instruments=heard, platform=stands()))
     assert real.fault.by_hand.text().endswith("by hand: supply_x")
-    assert real.fault.not_read.text() == f"Not read yet: supply_y (last read {WATCHED_S + 1} s ago), supply_z"
+    assert real.fault.not_read.text() == f"Still to be read: supply_y (last read {WATCHED_S + 1} s ago), supply_z"
     below = real.fault.not_read.geometry().bottom()
     fresh = (known[0], coil("y", 0.0), coil("z", 0.0))
     real.app_state.take_lab(LabState(fresh, instruments=heard, platform=stands()))

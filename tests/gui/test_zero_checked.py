@@ -28,7 +28,7 @@ def test_the_card_has_the_button_and_says_what_is_seen_now(qtbot, still):
     assert "00:12" in still.app_state.off.unconfirmed.details
     qtbot.mouseClick(still.fault.check_zero, Qt.MouseButton.LeftButton)
     off.answer(CheckZero, Doubt("they agree again", True, ends()))
-    assert "The lock is lifted" in still.app_state.lab.state.message
+    assert "A run may begin again" in still.app_state.lab.state.message
     assert not still.fault.isVisible()
     assert len(off.commands(Identify)) == 1
 
@@ -48,5 +48,5 @@ def test_a_run_that_was_refused_over_it_says_so_and_that_it_is_lifted(qtbot, sti
     card.check_zero.click()
     off.answer(CheckZero, Doubt("they agree again", True, ends(), time.strftime("%H:%M")))
     app_state.lab.update(message=app_state.lab.state.message)
-    assert "The lock is lifted" in app_state.lab.state.message
-    assert "The lock is lifted" in still.page("Run").live.verdict.reason.text()
+    assert "A run may begin again" in app_state.lab.state.message
+    assert "A run may begin again" in still.page("Run").live.verdict.reason.text()

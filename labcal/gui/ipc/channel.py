@@ -14,6 +14,7 @@ from typing import TextIO
 from labcal.bench.coils.state import LabState
 from labcal.errors import InputError
 from labcal.gui.ipc.backlog import PastMessages
+from labcal.gui.ipc.keeps_step import KeepsStep
 from labcal.gui.ipc.lines import number_in, read_request, write_line
 from labcal.gui.ipc.messages import (
     Abort,
@@ -25,6 +26,7 @@ from labcal.gui.ipc.messages import (
     GoesOn,
     GoOn,
     HangUp,
+    LinesTaken,
     Note,
     Pause,
     Recorded,
@@ -69,6 +71,10 @@ class Channel:
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
+        self._in_step, self._keeps_step = (
+            KeepsStep(),
+            False,
+        )  # a simulated run does; real instruments wait for no window
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
         self._paused_here = False  # for a window that stands still
         self._watched, self._hung_up, self._let_go = watched, False, let_go
@@ -102,6 +108,7 @@ class Channel:
         try:
             self._output.write(write_line(event) + "\n")
             self._output.flush()
+            self._in_step.sent()
         except ConnectionError:  # nobody is there to read it
             self._nobody_reads()
 
@@ -110,6 +117,7 @@ class Channel:
         if not self._asked_for:
             self.control = Control(to_be_resumed=True)
         self._on_bench, self._asked_for, self._state, self._paused_here = True, False, None, False
+        self._keeps_step = simulated
         self._answers = queue.Queue()
         if self._watched and going is not None:
             self._past = PastMessages(going)
@@ -121,7 +129,7 @@ class Channel:
     def run_ends(self) -> None:
         """The run has ended and the links are closed."""
         self.flush()
-        self._on_bench = False
+        self._on_bench = self._keeps_step = False
         self.control.stop()  # whoever still waits for an answer in it would take one of the next run's
 
     @contextmanager
@@ -138,11 +146,17 @@ class Channel:
         self._batch.append(item)
         if not isinstance(item, Block) or time.monotonic() - self._sent_s > BATCH_S:
             self.flush()
+        self._keep_step()
 
     def send_state(self, state: LabState) -> None:
         """How the lab is now, by the clock that all processes of this computer share."""
         self._state = state
         self.send(StateRead(state))
+        self._keep_step()
+
+    def _keep_step(self) -> None:
+        if self._keeps_step:
+            self._in_step.wait(lambda: self._output is None or self.control.ends())
 
     def flush(self) -> None:
         """Send what is waiting."""
@@ -219,6 +233,7 @@ class Channel:
                 return
             self._output, self._comes, self._heartbeat_s = self._comes.hears, None, time.monotonic()
             self._other_numbers[self._working_on] = number
+            self._in_step.begin()
             for event in self._past.events():
                 self._write(replace(event, number=number) if isinstance(event, Done | Failed) else event)
 
@@ -287,6 +302,8 @@ class Channel:
                 self.control.abort()
             case Note(text, data):
                 self.control.note(text, **data)
+            case LinesTaken(lines):
+                self._in_step.taken(lines)
             case Beat():
                 pass
             case _:

@@ -15,7 +15,7 @@ from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from labcal.errors import InputError
 from labcal.gui.ipc.environment import child_environment
-from labcal.gui.ipc.lines import read_answer, read_event, write_line
+from labcal.gui.ipc.lines import read_answer, read_event, tells_state, write_line
 from labcal.gui.ipc.listeners import while_there
 from labcal.gui.ipc.messages import (
     Beat,
@@ -25,6 +25,7 @@ from labcal.gui.ipc.messages import (
     Failed,
     GoesOn,
     HangUp,
+    LinesTaken,
     Progress,
     Recorded,
     Request,
@@ -81,7 +82,8 @@ class Client(QObject):
         self._pending: dict[int, tuple[Command[Any], Callable[[Any], object], OnFault]] = {}
         self._number = 0
         self._lines: deque[bytes] = deque()
-        self._state: StateRead | None = None  # read, and not shown yet
+        self._state: bytes | None = None  # the line of the newest that has come, and is not shown yet
+        self._taken = self._said_taken = 0  # lines
         self._partial_line, self._stderr, self._ended_here = b"", "", ""
         self._heartbeat = QTimer(self, interval=HEARTBEAT_MS)
         self._heartbeat.timeout.connect(lambda: self.send(Beat()))
@@ -104,6 +106,7 @@ class Client(QObject):
         process.errorOccurred.connect(self._process_error)
         process.setProcessEnvironment(child_environment())
         self._process, self._stderr, self._partial_line, self._ended_here = process, "", b"", ""
+        self._state, self._taken, self._said_taken = None, 0, 0
         process.start(sys.executable, list(command))
         self._heartbeat.start()
 
@@ -160,45 +163,59 @@ class Client(QObject):
             return
         *lines, self._partial_line = (self._partial_line + self._process.readAllStandardOutput().data()).split(b"\n")
         idle = not self._lines
-        self._lines.extend(lines)
+        for line in lines:
+            self._came(line)
         if idle:
             self._drain()
+
+    def _came(self, line: bytes) -> None:
+        """How the lab is waits behind nothing, and of several that wait the newest alone is shown.
+
+        In a run that a window comes back to it waits until that is known.
+        """
+        if not tells_state(line) or (self._worker_before and not self._is_back):
+            return self._lines.append(line)
+        self._taken += self._state is not None
+        self._state = line
+        return None
 
     def _drain(self) -> None:
         """What has come, as far as one turn of the event loop may take; the rest in the next."""
         until = time.monotonic() + TIME_SLICE_S
         try:
+            self._show_state()
             while self._lines and time.monotonic() < until:
                 self._take(self._lines.popleft())
-            self._show_state()
         finally:  # whoever breaks over an answer keeps nobody else waiting for theirs
+            self._say_taken()
             if self._lines:
                 QTimer.singleShot(0, self, self._drain)
 
+    def _say_taken(self) -> None:
+        """The worker of a simulated run waits where this window is behind."""
+        if self._taken > self._said_taken:
+            self._said_taken = self._taken
+            self.send(LinesTaken(self._taken))
+
     def _take(self, line: bytes) -> None:
         """A line that is no message comes of a worker that is broken: it ends."""
+        self._taken += 1
         try:
             event = read_event(line)
         except InputError as error:
             self._stderr += f"{error}\n"
             return self._kill(self.tr("The work said what this window cannot read, and was ended by it."))
-        if isinstance(event, StateRead):
-            self._state = event
-            return None
-        self._show_state()
         return self._dispatch(event)
 
     def _show_state(self) -> None:
-        """Of several states that have come the newest alone, before whatever was said after it.
-
-        A window that cannot keep up would else show ever older ones.
-        """
-        event, self._state = self._state, None
-        if event is not None:
-            self.states.emit(event.state)
+        line, self._state = self._state, None
+        if line is not None:
+            self._take(line)
 
     def _dispatch(self, event: Event) -> None:
         match event:
+            case StateRead(state):
+                self.states.emit(state)
             case Recorded(items):
                 self.items.emit(items)
             case Progress(text):
@@ -230,9 +247,9 @@ class Client(QObject):
 
     def _process_finished(self, code: int, status: QProcess.ExitStatus) -> None:
         self._read_stdout()
+        self._show_state()
         while self._lines:
             self._take(self._lines.popleft())
-        self._show_state()
         self._process_gone(self._ended_here or self._how_it_ended(code, status))
 
     def _how_it_ended(self, code: int, status: QProcess.ExitStatus) -> str:

@@ -69,3 +69,8 @@ class ReadLab(Command[tuple[InstrumentRead, ...]]):
 
     bench: str
     names: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class FindSimulatedBench(Command[str]):
+    """The bench file of the simulated lab."""

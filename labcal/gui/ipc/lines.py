@@ -10,9 +10,10 @@ from typing import Any, TypeVar, get_args
 from labcal.errors import InputError
 from labcal.gui.ipc import messages
 from labcal.gui.ipc.codec import decode, encode
-from labcal.gui.ipc.messages import Command, Event, Request, Word
+from labcal.gui.ipc.messages import Command, Event, Request, StateRead, Word
 
 R = TypeVar("R")
+STATE = f'{{"is": "{StateRead.__name__}"'.encode()  # so begins the line of one
 
 
 def answer_type(command: type[Command[R]]) -> Any:
@@ -60,6 +61,11 @@ def read_event(line: bytes | str) -> Event:
         raise InputError(f"the window knows no message {said['is'][:40]!r}")
     event: Event = decode(events[said["is"]], said.get("with", {}), said["is"])
     return event
+
+
+def tells_state(line: bytes) -> bool:
+    """Whether a worker says in it how the lab is, without reading it."""
+    return line.startswith(STATE)
 
 
 def number_in(line: str) -> int:

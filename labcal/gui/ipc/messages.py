@@ -23,6 +23,7 @@ from labcal.gui.ipc.kinds import Event as Event
 from labcal.gui.ipc.kinds import Word as Word
 from labcal.gui.ipc.lab_messages import CheckZero as CheckZero
 from labcal.gui.ipc.lab_messages import EarlierAreGone as EarlierAreGone
+from labcal.gui.ipc.lab_messages import FindSimulatedBench as FindSimulatedBench
 from labcal.gui.ipc.lab_messages import Identify as Identify
 from labcal.gui.ipc.lab_messages import PrepareToRead as PrepareToRead
 from labcal.gui.ipc.lab_messages import ReadLab as ReadLab
@@ -36,6 +37,7 @@ from labcal.gui.ipc.words import Answer as Answer
 from labcal.gui.ipc.words import Beat as Beat
 from labcal.gui.ipc.words import GoOn as GoOn
 from labcal.gui.ipc.words import HangUp as HangUp
+from labcal.gui.ipc.words import LinesTaken as LinesTaken
 from labcal.gui.ipc.words import Note as Note
 from labcal.gui.ipc.words import Pause as Pause
 from labcal.gui.ipc.words import Stop as Stop
@@ -339,11 +341,6 @@ class ChangedSince(Command[Changes | None]):
     """What changed since the calibration before the one at `path` of the same DUT; nothing where none is before."""
 
     path: str
-
-
-@dataclass(frozen=True, slots=True)
-class FindSimulatedBench(Command[str]):
-    """The bench file of the simulated lab."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,13 @@ class Beat(Word):
 
 
 @dataclass(frozen=True, slots=True)
+class LinesTaken(Word):
+    """So many lines of the worker this window has taken, in all."""
+
+    lines: int
+
+
+@dataclass(frozen=True, slots=True)
 class Answer(Word):
     """What the person says to the prompt `key`."""
 

@@ -314,10 +314,13 @@ class StartPage(QWidget):
     def _say_runs(self, runs: tuple[RunLine, ...]) -> None:
         """The last ones, how they came out, and what became of their calibrations."""
         words = self.tr("A run from the Run page, or a bundle imported on the History page, comes up here.")
-        self.counted.setText(count_words(len(runs)) if runs else self.tr("none yet"))
-        self.no_runs.setText("" if runs else words)
+        listed = self._app_state.path.listed  # else nobody knows yet whether there are any
+        self.counted.setText(count_words(len(runs)) if runs else self.tr("none yet") if listed else "…")
+        self.no_runs.setText("" if runs else words if listed else self.tr("Looking into the store."))
         self.no_runs.setVisible(not runs)
-        self.way_ahead.setVisible(not runs and self.grid.wide)  # with less room the bar below says what is next
+        self.way_ahead.setVisible(
+            listed and not runs and self.grid.wide
+        )  # with less room the bar below says what is next
         self.runs.setVisible(bool(runs))
         last = runs[: LAST_WIDE if self.grid.wide else LAST]
         self.runs.setRowCount(len(last))

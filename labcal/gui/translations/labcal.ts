@@ -919,6 +919,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>of a simulated lab the reference is not read at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the reference does not answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7537,11 +7541,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It was typed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Into the field where it was typed; it is no scan</source>
+        <source>✕ Scanned, and not taken: no serial has blanks</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9163,10 +9163,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>heard before</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9248,6 +9244,10 @@ after this step …</source>
     </message>
     <message>
         <source>the platform was ordered to stop, and is not seen to stand yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9719,6 +9719,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the step is broken off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the run begins</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9907,7 +9911,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
+        <source>✓ The zero was checked: supplies and reference agree. A run may begin again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10011,6 +10015,14 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>a coil is still on by the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ HANDS OFF: a coil is still on, the field says so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10043,7 +10055,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not read yet: {0}</source>
+        <source>Still to be read: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -919,6 +919,10 @@
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
     <message>
+        <source>of a simulated lab the reference is not read at rest</source>
+        <translation>die Referenz eines simulierten Labors wird in Ruhe nicht gelesen</translation>
+    </message>
+    <message>
         <source>the reference does not answer</source>
         <translation>die Referenz antwortet nicht</translation>
     </message>
@@ -7538,12 +7542,8 @@ diesem Schritt …</translation>
         <translation>Der Prüfling ist wieder der vorige</translation>
     </message>
     <message>
-        <source>It was typed</source>
-        <translation>Es war getippt</translation>
-    </message>
-    <message>
-        <source>Into the field where it was typed; it is no scan</source>
-        <translation>In das Feld, wo es getippt wurde; es ist kein Scan</translation>
+        <source>✕ Scanned, and not taken: no serial has blanks</source>
+        <translation>✕ Gescannt und nicht übernommen: Keine Seriennummer hat Leerzeichen</translation>
     </message>
     <message>
         <source>none</source>
@@ -9164,10 +9164,6 @@ diesem Schritt …</translation>
         <translation>gehört {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
-        <translation>zuerst SPULEN AUS (F12) drücken: Wo seine Leitung antwortet, hält das auch den Tisch an. Dreht er weiter, an seinem Steuergerät anhalten</translation>
-    </message>
-    <message>
         <source>heard before</source>
         <translation>früher gehört</translation>
     </message>
@@ -9250,6 +9246,10 @@ diesem Schritt …</translation>
     <message>
         <source>the platform was ordered to stop, and is not seen to stand yet</source>
         <translation>der Tisch wurde angehalten, und niemand hat ihn bisher stehen sehen</translation>
+    </message>
+    <message>
+        <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an, wenn er erreichbar ist. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -9720,6 +9720,10 @@ diesem Schritt …</translation>
         <translation>es wird angehalten</translation>
     </message>
     <message>
+        <source>the step is broken off</source>
+        <translation>der Schritt ist abgebrochen</translation>
+    </message>
+    <message>
         <source>the run begins</source>
         <translation>die Messung beginnt</translation>
     </message>
@@ -9908,8 +9912,8 @@ diesem Schritt …</translation>
         <translation>{0}: antwortet wieder</translation>
     </message>
     <message>
-        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
-        <translation>✓ Die Null wurde geprüft: Netzgeräte und Referenz stimmen überein. Die Sperre ist aufgehoben, die Spulen dürfen wieder unter Strom.</translation>
+        <source>✓ The zero was checked: supplies and reference agree. A run may begin again.</source>
+        <translation>✓ Die Null wurde geprüft: Netzgeräte und Referenz stimmen überein. Eine Messung darf wieder beginnen.</translation>
     </message>
     <message>
         <source>the certificate, for people</source>
@@ -10012,6 +10016,14 @@ diesem Schritt …</translation>
         <translation>das Feld sagt: noch an ({1}, {0} µT mehr als bei ausgeschalteten Spulen, {2})</translation>
     </message>
     <message>
+        <source>a coil is still on by the field</source>
+        <translation>eine Spule ist nach dem Feld noch an</translation>
+    </message>
+    <message>
+        <source>✕ HANDS OFF: a coil is still on, the field says so</source>
+        <translation>✕ HÄNDE WEG: Eine Spule ist noch an, das sagt das Feld</translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation>{0}: nicht bei null bestätigt, als das Fenster geschlossen wurde, {1}</translation>
     </message>
@@ -10044,8 +10056,8 @@ diesem Schritt …</translation>
         <translation>SPULEN AUS (F12), dann von Hand ausschalten: {0}</translation>
     </message>
     <message>
-        <source>Not read yet: {0}</source>
-        <translation>Noch nicht gelesen: {0}</translation>
+        <source>Still to be read: {0}</source>
+        <translation>Noch zu lesen: {0}</translation>
     </message>
     <message>
         <source>{0} (last read {1})</source>

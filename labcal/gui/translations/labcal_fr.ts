@@ -919,6 +919,10 @@
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
     <message>
+        <source>of a simulated lab the reference is not read at rest</source>
+        <translation>la référence d’un laboratoire simulé n’est pas lue au repos</translation>
+    </message>
+    <message>
         <source>the reference does not answer</source>
         <translation>la référence ne répond pas</translation>
     </message>
@@ -7538,12 +7542,8 @@ cette étape …</translation>
         <translation>Le DUT est de nouveau le précédent</translation>
     </message>
     <message>
-        <source>It was typed</source>
-        <translation>C’était tapé</translation>
-    </message>
-    <message>
-        <source>Into the field where it was typed; it is no scan</source>
-        <translation>Dans le champ où cela a été tapé ; ce n’est pas un scan</translation>
+        <source>✕ Scanned, and not taken: no serial has blanks</source>
+        <translation>✕ Scanné, et non repris : aucun numéro de série n’a d’espace</translation>
     </message>
     <message>
         <source>none</source>
@@ -9164,10 +9164,6 @@ cette étape …</translation>
         <translation>entendu {0}</translation>
     </message>
     <message>
-        <source>press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at its controller</source>
-        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : là où sa liaison répond, la plate-forme s’arrête aussi. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
-    </message>
-    <message>
         <source>heard before</source>
         <translation>entendu avant</translation>
     </message>
@@ -9250,6 +9246,10 @@ cette étape …</translation>
     <message>
         <source>the platform was ordered to stop, and is not seen to stand yet</source>
         <translation>la plate-forme a reçu l’ordre de s’arrêter, et personne ne l’a encore vue arrêtée</translation>
+    </message>
+    <message>
+        <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -9720,6 +9720,10 @@ cette étape …</translation>
         <translation>arrêt en cours</translation>
     </message>
     <message>
+        <source>the step is broken off</source>
+        <translation>l’étape est interrompue</translation>
+    </message>
+    <message>
         <source>the run begins</source>
         <translation>la mesure commence</translation>
     </message>
@@ -9908,8 +9912,8 @@ cette étape …</translation>
         <translation>{0} : répond de nouveau</translation>
     </message>
     <message>
-        <source>✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again.</source>
-        <translation>✓ Le zéro a été vérifié : alimentations et référence s’accordent. Le verrou est levé, les bobines peuvent de nouveau être alimentées.</translation>
+        <source>✓ The zero was checked: supplies and reference agree. A run may begin again.</source>
+        <translation>✓ Le zéro a été vérifié : alimentations et référence s’accordent. Une mesure peut de nouveau commencer.</translation>
     </message>
     <message>
         <source>the certificate, for people</source>
@@ -10012,6 +10016,14 @@ cette étape …</translation>
         <translation>le champ dit : encore en marche ({1}, {0} µT de plus que les bobines coupées, {2})</translation>
     </message>
     <message>
+        <source>a coil is still on by the field</source>
+        <translation>une bobine est encore alimentée d’après le champ</translation>
+    </message>
+    <message>
+        <source>✕ HANDS OFF: a coil is still on, the field says so</source>
+        <translation>✕ MAINS LOIN : une bobine est encore alimentée, le champ le dit</translation>
+    </message>
+    <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
         <translation>{0} : zéro non confirmé à la fermeture de la fenêtre, {1}</translation>
     </message>
@@ -10044,8 +10056,8 @@ cette étape …</translation>
         <translation>BOBINES À ZÉRO (F12), puis couper à la main : {0}</translation>
     </message>
     <message>
-        <source>Not read yet: {0}</source>
-        <translation>Pas encore lues : {0}</translation>
+        <source>Still to be read: {0}</source>
+        <translation>Encore à lire : {0}</translation>
     </message>
     <message>
         <source>{0} (last read {1})</source>

@@ -49,6 +49,7 @@ COILS = (  # of several that fit the first counts; what stands for {0}, {1} … 
     QT_TRANSLATE_NOOP("Data", "taking the coils to zero: ordered, not read back yet …"),
     QT_TRANSLATE_NOOP("Data", "waiting for a guardian that takes the order of zero …"),
     QT_TRANSLATE_NOOP("Data", "no reference has confirmed it"),
+    QT_TRANSLATE_NOOP("Data", "of a simulated lab the reference is not read at rest"),
     QT_TRANSLATE_NOOP("Data", "the reference does not answer"),
     QT_TRANSLATE_NOOP("Data", "the reference has no ambient field to compare with yet"),
     QT_TRANSLATE_NOOP("Data", "the reference's ambient field is from before hands were at the DUT"),

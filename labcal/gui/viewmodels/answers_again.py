@@ -14,9 +14,7 @@ from labcal.gui.viewmodels.lab_now import LabNow, Lights
 from labcal.gui.viewmodels.run import RunViewModel
 
 AGAIN = QT_TRANSLATE_NOOP("Words", "{0}: answers again")
-LIFTED = QT_TRANSLATE_NOOP(
-    "Words", "✓ The zero was checked: supplies and reference agree. The lock is lifted, coils may be energised again."
-)
+LIFTED = QT_TRANSLATE_NOOP("Words", "✓ The zero was checked: supplies and reference agree. A run may begin again.")
 
 
 class AnswersAgain:

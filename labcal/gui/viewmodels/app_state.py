@@ -374,7 +374,7 @@ class AppState(QObject):
             return
         if run.lab is not None and run.lab is not self._taken:
             self._taken, self.kept.asked = run.lab, False
-            self.take_lab(run.lab)
+            self.take_lab(self.kept.of_run(run.lab, self.facts, self.now_s()))
         elif self.lab.state.now.driven is not run.alive:  # what it asks at once is not shown beside the lab of before
             self.grow_old()
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""

@@ -10,7 +10,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import age_words
 
 BY_HAND = QT_TRANSLATE_NOOP("Words", "COILS OFF (F12), then switch off by hand: {0}")
-NOT_READ = QT_TRANSLATE_NOOP("Words", "Not read yet: {0}")
+NOT_READ = QT_TRANSLATE_NOOP("Words", "Still to be read: {0}")
 
 LAST_READ = QT_TRANSLATE_NOOP("Words", "{0} (last read {1})")
 PRESSED = QT_TRANSLATE_NOOP("Words", "COILS OFF was pressed at {0}; nobody has confirmed it")

@@ -21,7 +21,7 @@ from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.being_asked import being_asked
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
-from labcal.gui.viewmodels.known_lab import KnownLab
+from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_heard import looked_at, named_before, wrong
 from labcal.gui.viewmodels.lab_now import LabNow, mark_of, off_words, platform_mark, platform_said
@@ -93,7 +93,7 @@ class CoilsOff(QObject):
         self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
-        self._report: tuple[str, str] | None = None  # the coils' part, and all of it, where the platform's is to come
+        self._report: tuple[str, str, str] | None = None  # coils, time and all of it, where the platform is to come
         self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
@@ -147,8 +147,9 @@ class CoilsOff(QObject):
         else:
             old = platform_mark(window.lab.state.now.platform_words)[1] == "old"  # of before it was told to stop
             later = old or (said.platform is not None and said.platform.fault == NOT_YET)  # it is looked at again
-            report = off_words(words, window.lab.state.now.platform_words, later=later)
-            self._report = (words, report) if later else None
+            at = time.strftime("%H:%M:%S")
+            report = off_words(words, window.lab.state.now.platform_words, at, later=later)
+            self._report = (words, at, report) if later else None
             window.lab.update(message=report)
             window.grow_old()  # what the line says holds for hands at the same moment
         if said.doubt and zero:
@@ -188,7 +189,8 @@ class CoilsOff(QObject):
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
         window = self._window
         coils = () if window.known is None else window.known.coils
-        read = window.left.unconfirmed.left or any(coil.read_s is not None for coil in coils)
+        heard = bool(set(supplies(window.facts).values()) & window.kept.heard)  # all of them may be silent by now
+        read = window.left.unconfirmed.left or heard or any(coil.read_s is not None for coil in coils)
         tell = self.tellers() if read and not window.left.objection() else ()  # another process drives it
         return tuple(dict.fromkeys((*wrong(window.known, window.facts), *tell)))
 
@@ -297,8 +299,9 @@ class CoilsOff(QObject):
         """What became of the platform after COILS OFF, where the line below still says that it is not known."""
         report, self._report = self._report, None
         state = self._window.lab.state
-        if report is not None and state.message == report[1]:
-            self._window.lab.update(message=off_words(report[0], state.now.platform_words))
+        if report is not None and state.message == report[2]:  # the same sentence, now with its end
+            said = off_words(report[0], state.now.platform_words, report[1])
+            self._window.lab.update(message=said, said_at=state.said_at)
 
     def forget(self) -> None:
         """Of another bench nothing was said."""

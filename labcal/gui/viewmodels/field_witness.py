@@ -11,11 +11,14 @@ from labcal.bench.coils import state
 from labcal.bench.coils.agreement import CHANGED, LIMIT_NT, OF_FIELD
 from labcal.bench.coils.before_hands import BeforeHands, least_that_matters_nT
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import LabNow, age_words
+from labcal.gui.viewmodels.lab_now import LabNow, age_words, alarm_of, platform_mark
 
 SEES_MORE = QT_TRANSLATE_NOOP("Words", "the reference sees {0} µT along {1} more than with the coils off")
 STILL_ON = QT_TRANSLATE_NOOP("Words", "the field says: still on ({1}, {0} µT more than with the coils off, {2})")
+ON_BY_FIELD = QT_TRANSLATE_NOOP("Words", "a coil is still on by the field")
+CARD = QT_TRANSLATE_NOOP("Words", "✕ HANDS OFF: a coil is still on, the field says so")
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,5 +120,23 @@ def field_says(now: LabNow) -> str:
     most = max(range(3), key=[abs(one) for one in more].__getitem__)
     more_nT = more[most]
     said = f"{more_nT / 1000:+.{0 if abs(more_nT) >= 1e4 else 1}f}".replace("-", "−")
-    words = STILL_ON if now.coil_words.startswith((state.NOT_CONFIRMED, state.NOT_SINCE)) else SEES_MORE
+    words = STILL_ON if still_on(now) else SEES_MORE
     return translated(str(words)).format(said, "xyz"[most], age_words(now.field_more_old_s))
+
+
+def still_on(now: LabNow) -> bool:
+    """Whether the field says so of a coil that is not confirmed at zero: that is more than that it may be."""
+    return now.field_more_nT is not None and now.coil_words.startswith((state.NOT_CONFIRMED, state.NOT_SINCE))
+
+
+def card_words(now: LabNow) -> str:
+    """The heading of the card over every page in place of "may be on", where that is known; "" else."""
+    return translated(str(CARD)) if still_on(now) else ""
+
+
+def still_live(now: LabNow) -> str:
+    """By what was read last: coils that are on, or not confirmed, a platform that turns or may; "" else."""
+    turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
+    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else alarm_of(now.coil_words).removeprefix("✕ ")
+    on = translated(str(ON_BY_FIELD)) if still_on(now) else on
+    return ", ".join(filter(None, (on, translated(turns) if turns else "")))

@@ -5,7 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark, still_live
+from labcal.gui.viewmodels.field_witness import still_live
+from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark
 
 BY_HAND = QT_TRANSLATE_NOOP(
     "Words", "First press COILS OFF (F12), then switch off by hand the supply that does not answer."

@@ -9,14 +9,16 @@ import math
 from dataclasses import replace
 
 from labcal.bench.coils import state
-from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED
+from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED, NO_AMBIENT
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
 from labcal.gui.viewmodels.last_current import LastCurrents
-from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew
+from labcal.gui.viewmodels.last_heard import LastHeard
+from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
@@ -36,22 +38,40 @@ class KnownLab:
         self.ordered_s: float | None = None  # when zero was ordered; None once it is known how the coils ended
         self.warned = False  # that this takes too long
         self._lost_s: float | None = None  # since when a supply gives no answer
-        self._last, self._said = LastCurrents(), SaidLast()
+        self._last, self._said, self._heard = LastCurrents(), SaidLast(), LastHeard()
+        self._missed_s: float | None = None  # when those coils were read that were not read again in time
         self.heard = set[str]()  # instruments that have answered on this bench, whoever asked
 
     def take(self, known: state.LabState, now_s: float) -> None:
         """From here on this is how the lab is."""
         self.state, self._received_s = known, now_s
         self._last.keep(known.coils)
+        self._heard.keep(known)
         self._lost_s = (self._lost_s or now_s) if _lost(known) else None
         self.heard |= {one.name for one in known.instruments if one.heard_s is not None}
+        figures = known.reference.expected_nT is not None  # else nothing can be compared with it
         agrees = known.reference.verdict == "agrees" and all(coil.current_A is not None for coil in known.coils)
+        agrees = agrees and figures
         if agrees or mounted_anew(known):  # beside a silent supply an agreement tells nothing: it is from before
             self._agreed = None if mounted_anew(known) else known
         if known.reference.why == MOVED:
             self._off = None
         elif agrees and (self._off is None or known.reference.why != BEFORE_HANDS):  # that is as old as it was
             self._off = known
+
+    def of_run(self, known: state.LabState, facts: Bench | None, now_s: float) -> state.LabState:
+        """As a run says that it is; while that has nothing to compare a zero with, by what was measured before it."""
+        zero = all(coil.zero for coil in known.coils) and not known.field.changing
+        if facts is None or facts.virtual_time or known.reference.why != NO_AMBIENT or not zero:
+            return known
+        before, field = self.state, known.field
+        if field.seen_nT is None:
+            rested = before is not None and bool(before.coils) and all(coil.zero for coil in before.coils)
+            agreed = before is not None and before.reference.verdict == "agrees"
+            return replace(known, reference=before.reference) if before is not None and rested and agreed else known
+        said = InstrumentRead("", "reference", "", read_s=field.read_s, field_nT=field.seen_nT)
+        found = seconded(known, (said,), None, self.off(facts, now_s))
+        return found if found.reference.verdict == "agrees" else known
 
     def off(self, facts: Bench | None, now_s: float) -> Off | None:
         """What the reference saw with the coils off, however long ago."""
@@ -114,8 +134,11 @@ class KnownLab:
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
         known = self.as_now(facts, now_s)
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
+        by_s = self._patience_s(known, now_s, by_s, driven=driven)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
-        now = replace(now, in_common=_in_common(known, facts))
+        now = replace(now, in_common=_in_common(known, facts), heard_at_s=self._heard.at_s(supplies(facts)))
+        if not driven and facts is not None and facts.virtual_time:
+            now = _not_read_on(now)
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:
             now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
         if known is not None:
@@ -125,6 +148,15 @@ class KnownLab:
         if known is None and (driven or facts is not None):
             now = replace(now, coil_words=state.NOT_YET if driven else state.NOT_READ)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
+
+    def _patience_s(self, known: state.LabState | None, now_s: float, by_s: float, *, driven: bool) -> float:
+        """`by_s`, and none for a reading that was missed once: it does not come back while the next is waited for."""
+        read_s = None if known is None else min((c.read_s for c in known.coils if c.read_s is not None), default=None)
+        if driven or read_s is None:
+            self._missed_s = None
+        elif now_s - read_s > by_s:
+            self._missed_s = read_s
+        return 0.0 if read_s is not None and read_s == self._missed_s else by_s
 
     def _field_more(
         self, known: state.LabState, facts: Bench | None, now_s: float
@@ -175,6 +207,16 @@ class KnownLab:
         rates = {} if facts is None else dict(zip("xyz", facts.cage.ramp_A_per_s, strict=False))
         coils = () if self.state is None else self.state.coils
         return max((abs(c.current_A or 0.0) / rates[c.axis] for c in coils if c.axis in rates), default=0.0)
+
+
+def _not_read_on(now: LabNow) -> LabNow:
+    """At rest the reference of a simulated lab is another lab's: how long ago it agreed would grow for ever."""
+    if not now.reference_agreed or (now.reference_old_s or 0) <= WATCHED_S:
+        return now
+    alone = now.coil_words.startswith(state.BY_WORD)
+    return replace(
+        now, alone=state.NOT_READ_ON, coil_words=f"{state.BY_WORD}: {state.NOT_READ_ON}" if alone else now.coil_words
+    )
 
 
 def _lost(known: state.LabState) -> set[str]:

@@ -32,8 +32,8 @@ HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
 UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
-    "press COILS OFF (F12) first: where its line answers that stops the platform too. If it keeps turning, stop it at "
-    "its controller",
+    "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
+    "controller",
 )
 STOP_UNSEEN = QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet")
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are looked at more often), and its answer
@@ -174,7 +174,6 @@ def lab_now(
         field_changing=driven and lab.field.changing and old_s(seen_s, now_s) is None,
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
-        heard_at_s=tuple((one.name, one.heard_s) for one in lab.instruments if one.heard_s is not None),
         silent_tellers=tuple(n for n, role in roles.items() if role.startswith(TELLERS) and n in silent),
         coils_lost=any(role.startswith("coil-") for role in lost),
         platform_lost="platform" in lost,
@@ -301,13 +300,13 @@ def _seen_between(now: LabNow) -> bool:
     return recent and now.coil_words.startswith(state.BY_WORD) and not now.driven
 
 
-def off_words(coils: str, platform_words: str, *, later: bool = False) -> str:
-    """One sentence after COILS OFF that reached zero: when, what was read back, and whether the platform stands.
+def off_words(coils: str, platform_words: str, at: str, *, later: bool = False) -> str:
+    """One sentence after COILS OFF that reached zero: `at` what time, what was read back, whether the platform stands.
 
     `later`: it was told to stop, and is looked at again.
     """
     stands = translated(str(STOP_UNSEEN)) if later else ""
-    said = translated("COILS OFF done {0}: {1}").format(time.strftime("%H:%M:%S"), coils)
+    said = translated("COILS OFF done {0}: {1}").format(at, coils)
     return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
 
 
@@ -328,13 +327,6 @@ def platform_drawn(words: str, coil_words: str = "") -> tuple[str, str]:
     if not words.startswith("platform turns"):
         return platform_mark(words, coil_words)
     return ("◌", "old") if ", read " in words else ("●", OFF)
-
-
-def still_live(now: LabNow) -> str:
-    """By what was read last: coils that are on, or not confirmed, a platform that turns or may; "" else."""
-    turns = {"warning": "platform turning", "bad": "platform may turn"}.get(platform_mark(now.platform_words)[1], "")
-    on = in_words(state.ON) if now.coil_words.startswith(state.ON) else alarm_of(now.coil_words).removeprefix("✕ ")
-    return ", ".join(filter(None, (on, translated(turns) if turns else "")))
 
 
 def alarm_of(coil_words: str) -> str:

@@ -34,7 +34,8 @@ def coil_read(said: CoilEnd) -> state.CoilReading:
 
 def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None) -> state.LabState:
     """The lab after its coils were switched off and read back, with the doubt that stands about their zero."""
-    witness = state.Witness()
+    rested = bool(before.coils) and all(coil.zero for coil in before.coils)  # it agreed with a zero, which stands
+    witness = before.reference if rested and before.reference.verdict == "agrees" else state.Witness()
     if said.doubt:
         witness = state.Witness("disagrees", said.doubt, advice=said.advice or state.OPEN_THEM)
     ends = {one.axis: one for one in said.coils}

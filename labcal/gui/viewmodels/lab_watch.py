@@ -107,9 +107,10 @@ class LabWatch(QObject):
             self._ask(ReadLab(bench))
 
     def read_again(self, names: Sequence[str]) -> None:
-        """These now, and not only those that are wrong, where nobody else has the lab."""
-        if self._asked is None and (bench := self._bench()) and names:
-            self._ask(ReadLab(bench, tuple(names)))
+        """These now, and not only those that are wrong, where nobody else has the lab: coils first, by themselves."""
+        if self._asked is None and self._bench() and names:
+            self.round.begin(names, time.monotonic(), at_once=True)
+            self._go_on()
 
     def stop(self) -> None:
         """Let go of every line at once: somebody wants them."""

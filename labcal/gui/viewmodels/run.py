@@ -318,7 +318,8 @@ class RunViewModel(QObject):
         return self.item.emit(item)
 
     def _running(self, message: str) -> None:
-        self.message = message
+        if self.state != "stopping":  # else it was on its way before the end was ordered
+            self.message = message
         if self.state in ("starting", "asking", "paused"):
             self.state = "running"
 
@@ -338,7 +339,7 @@ class RunViewModel(QObject):
             self.skipped.add(str(event.data.get("step", "")))
         elif event.kind == COVERAGE:
             self.covered.missed(event)
-            self.message = said_of(event, self.links)
+            self._running(said_of(event, self.links))
         elif event.kind == NOT_USED:
             gone = list(event.data["segments"])  # their axis is redone
             looks = (f"{look} {axis}" for look in ("delay", "closure") for axis in {name[:1] for name in gone})

@@ -42,12 +42,15 @@ class WatchRound:
         waits_s = max(LATE_S, *self._others_s.values(), 0.0)
         return min(WATCHED_S, max(COILS_S, usual_s) + waits_s + usual_s)
 
-    def begin(self, names: Sequence[str], now_s: float) -> None:
-        """The coils among `names` are due now, and the others that were not read for as long as a look takes."""
+    def begin(self, names: Sequence[str], now_s: float, *, at_once: bool = False) -> None:
+        """The coils among `names` are due now, and the others that were not read for as long as a look takes.
+
+        `at_once`: whenever they were.
+        """
         coils = tuple(name for name in names if self._is_coil(name))
         waits = [due for due in self._due if due[0] in names and not self._is_coil(due[0])]
         rested = [(name,) for name in names if not self._is_coil(name)
-                  and now_s - self._read_s.get(name, -LOOK_S) > LOOK_S - COILS_S / 2]  # fmt: skip
+                  and (at_once or now_s - self._read_s.get(name, -LOOK_S) > LOOK_S - COILS_S / 2)]  # fmt: skip
         self._due = [coils, *waits] if coils else waits
         self._due += [due for due in rested if due not in waits]
 

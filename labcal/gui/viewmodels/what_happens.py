@@ -12,10 +12,10 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.field_witness import field_says
+from labcal.gui.viewmodels.field_witness import field_says, still_live
 from labcal.gui.viewmodels.hands import FAILED, READY, RETRY, coming
 from labcal.gui.viewmodels.hands_now import MAY, hands_of
-from labcal.gui.viewmodels.lab_now import OFF, WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark, still_live
+from labcal.gui.viewmodels.lab_now import OFF, WATCHED_S, LabNow, alarm_of, platform_drawn, platform_mark
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
@@ -36,6 +36,7 @@ OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
 NEXT = QT_TRANSLATE_NOOP("Words", "the field and the platform come next")
 COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
 STOPS = QT_TRANSLATE_NOOP("Words", "stopping")
+BREAKS = QT_TRANSLATE_NOOP("Words", "the step is broken off")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
 WRONG = "✕ "  # before what keeps hands off and was not planned
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
@@ -178,7 +179,7 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     promised = run.hands_off and run.state not in ("asking", "paused")
     words, mark = hands_of(replace(now, coil_words=state.NOT_READ) if begins(run, now) else now)
     if mark != "bad" and run.alive and (promised or run.segment is not None):
-        comes = STOPS if run.state == "stopping" else COMES  # nothing comes once the end is ordered
+        comes = STOPS if run.state == "stopping" else BREAKS if run.time.failed else COMES  # nothing comes after these
         return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
     if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), OFF

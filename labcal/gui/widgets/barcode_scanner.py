@@ -1,7 +1,7 @@
 """Tells a barcode scanner from a person: more than 40 characters a second are a scan.
 
-It goes into the field that has the focus where that `takes_scans`, or `takes_names`; what may be a number stays where
-that `takes_numbers`; anywhere else it is for whoever hears `scanned`.
+It goes into the field that has the focus where that `takes_scans`, or `takes_names`; what comes fast into any other
+field was typed there, and stays; where no field takes text it is for whoever hears `scanned`.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import TypeGuard
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMainWindow, QWidget
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QMainWindow, QPlainTextEdit, QTextEdit, QWidget
 
 FASTEST_TYPIST_S = 1 / 40  # between two characters; a scanner takes 20 ms at most
 SHORTEST = 4  # characters of a scan
@@ -29,8 +29,8 @@ class Scanner(QObject):
     """Handles all keys (see `Frame.key_handlers`): holds them back for the blink in which a burst shows itself.
 
     A single key is handed on 40 ms later, exactly as it came; a burst replaces what stands in a field that takes scans,
-    else it is emitted whole as `scanned` and reaches neither a field nor a button; `caught` is what came, for the field
-    that had the focus, should it have been typed after all.
+    stays in any other that takes text, but for the Enter that ends it, and else it is emitted whole as `scanned`: no
+    button has it. `asked`: whether a scan is asked for, whatever has the focus.
     """
 
     scanned = Signal(str)
@@ -40,8 +40,7 @@ class Scanner(QObject):
         self.now = now
         self._last_s = 0.0
         self._kept: list[tuple[QWidget, QKeyEvent]] = []
-        self.caught: tuple[QLineEdit | None, str] = (None, "")
-        self.by_enter = False  # it ended as most scanners end what they read
+        self.asked: Callable[[], bool] = lambda: False
         self._replaying = False
         self.wait = QTimer(self, interval=int(FASTEST_TYPIST_S * 1000) + 7, singleShot=True)
         self.wait.timeout.connect(self.flush)
@@ -82,7 +81,6 @@ class Scanner(QObject):
         if field is not None and field.property(TAKES_SCANS):
             field.selectAll()
             return field.insert(text.strip())  # as if it had been typed
-        self.caught = field, text
         return self.scanned.emit(text.strip())
 
     def flush(self) -> None:
@@ -91,12 +89,13 @@ class Scanner(QObject):
         self.wait.stop()
         struck = [event for _, event in kept if event.type() == QEvent.Type.KeyPress]
         text = "".join(event.text() for event in struck if event.key() not in ENTER)
-        self.by_enter = any(event.key() in ENTER for event in struck)
         if len(text) >= SHORTEST and not _is_number(kept[0][0], text):
             into = kept[0][0]
             if not _is_for_a_name(into):
-                return self._scan(into, text)
-            if not into.isModified():
+                if self.asked() or into.property(TAKES_SCANS) or not _takes_text(into):
+                    return self._scan(into, text)
+                kept = [(widget, event) for widget, event in kept if event.key() not in ENTER]  # it answers nothing
+            elif not into.isModified():
                 into.selectAll()  # a badge in place of yesterday's name; within a name that is being typed, more of it
         self._replaying = True
         try:
@@ -129,6 +128,10 @@ def _is_number(into: QWidget, text: str) -> bool:
 
 def _is_for_a_name(into: QWidget) -> TypeGuard[QLineEdit]:
     return isinstance(into, QLineEdit) and bool(into.property(TAKES_NAMES)) and not into.isReadOnly()
+
+
+def _takes_text(into: QWidget) -> bool:
+    return isinstance(into, QLineEdit | QPlainTextEdit | QTextEdit) and not into.isReadOnly()
 
 
 def _secret(watched: QWidget) -> bool:

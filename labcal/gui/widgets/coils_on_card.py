@@ -5,6 +5,7 @@ from __future__ import annotations
 from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.beside_coils import beside_coils
 from labcal.gui.viewmodels.by_hand import pressed_words
+from labcal.gui.viewmodels.field_witness import card_words
 from labcal.gui.widgets.fault_card import FaultCard
 
 
@@ -12,5 +13,6 @@ def say_coils(card: FaultCard, app_state: AppState) -> None:
     """As they are known now."""
     known = beside_coils(app_state.lab.state.now), pressed_words(app_state.off.pressed)
     card.say_coils(app_state.coil_words(), app_state.by_hand(), ". ".join(filter(None, known)))
+    card.say_gravest(card_words(app_state.lab.state.now))
     card.say_not_read(app_state.off.not_read())
     card.say_platform(app_state.platform_words())

@@ -183,6 +183,11 @@ class FaultCard(WholeCard):
             self.fold.show()
         self._say_coils_once()
 
+    def say_gravest(self, known: str) -> None:
+        """In the largest letters what is `known`, in place of what may be."""
+        if self.fault is not None:
+            self.gravest.setText(known or translated(TITLES[self.fault.kind]))
+
     def let_check_zero(self, may: bool) -> None:
         """Whether a zero is in doubt that can be measured again: every supply says that it is one."""
         self.check_zero.setVisible(may)
