@@ -139,7 +139,6 @@ def test_what_settings_mean_stands_below_them_in_a_narrow_form(new_window, qtbot
     form = new_window.page("Run").choose.form
     for width, below in ((1500, False), (420, True)):
         form.resize(width, 500)
-        QApplication.sendPostedEvents()
         form.layout().activate()
         field, about = form.fields["axes"], form.complaints["axes"]
         assert (about.y() >= field.y() + field.height()) == below
