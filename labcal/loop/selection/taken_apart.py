@@ -1,4 +1,4 @@
-"""What is found as one cause and cannot be one alone: two take its place, where together they do as well."""
+"""What is found as one cause and cannot be one alone: a form that can takes its place, or two causes do."""
 
 from __future__ import annotations
 
@@ -13,10 +13,12 @@ from labcal.loop.selection.select import contribution
 
 
 def taken_apart(found: Evidence, fitted: JointFit) -> tuple[Evidence, JointFit]:
-    """The same with such an effect as a smaller form of it beside the other cause (`Family.holds_another`).
+    """The same with such an effect as a smaller form of it, alone or beside the other cause (`Family.holds_another`).
 
-    Of both causes' forms those of the fewest parameters with which all is fitted as well, by Schwarz' criterion.
+    Of these those of the fewest parameters with which all is fitted as well, by Schwarz' criterion. The first form is
+    all that the cause alone can be. What a fit has given up is not put there again.
     """
+    given_up = {family for family, _ in (*found.not_carried, *found.insignificant, *found.beyond_half)}
     start, terms = fitted.problem.T.shape[2], iter(zip(fitted.terms, fitted.beta, strict=True))
     for place, chosen in enumerate(found.accepted):
         for term, beta in islice(terms, len(chosen.parts)):
@@ -26,8 +28,10 @@ def taken_apart(found: Evidence, fitted: JointFit) -> tuple[Evidence, JointFit]:
             if chosen.members or any(one.family.id == family for one in found.accepted):
                 continue
             left = [replace(chosen, term=form) for form in forms]
-            for pair in sorted(product(_forms(found, family), left), key=lambda pair: sum(c.size for c in pair)):
-                accepted = (*found.accepted[:place], *pair, *found.accepted[place + 1 :])
+            others = [] if family in given_up else _forms(found, family)
+            tried = [*((one,) for one in left[:1]), *product(others, left)]
+            for instead in sorted(tried, key=lambda some: sum(c.size for c in some)):
+                accepted = (*found.accepted[:place], *instead, *found.accepted[place + 1 :])
                 both = joint_fit(found.pool.whole, [part.term for one in accepted for part in one.parts], fitted.used)
                 if information(both) <= information(fitted):
                     return _with(found, accepted), both
