@@ -147,6 +147,14 @@ def later(still, monkeypatch):
 
 
 @pytest.fixture
+def fixed(still):
+    """The same, whose ages are not looked at by themselves: what a test has shown stands, however long it takes."""
+    still.app_state.age_timer.stop()
+    yield still
+    still.app_state.age_timer.start()
+
+
+@pytest.fixture
 def new_window(tmp_path, qapp):
     """The same for one test alone, where what other tests have shown before would count."""
     with deaf_window_at(tmp_path) as window:

@@ -384,15 +384,15 @@ def test_a_run_is_whole_on_a_small_screen(still, sized, state):
 
 
 @pytest.mark.parametrize("moving", [False, True])
-def test_a_question_with_all_that_can_be_said_below_it_rolls_on_a_small_screen_and_is_whole(still, sized, moving):
-    still.open_page(by_word(still, replace(TURNED, text=f"{MOUNT} The cable comes out towards the door, the lift up.")))
-    lab, card = still.app_state.run.lab, still.page("Run").live.prompt
-    still.app_state.bench_worker.states.emit(replace(lab, platform=replace(lab.platform, moving=moving)))
+def test_a_question_with_all_that_can_be_said_below_it_rolls_on_a_small_screen_and_is_whole(fixed, sized, moving):
+    fixed.open_page(by_word(fixed, replace(TURNED, text=f"{MOUNT} The cable comes out towards the door, the lift up.")))
+    lab, card = fixed.app_state.run.lab, fixed.page("Run").live.prompt
+    fixed.app_state.bench_worker.states.emit(replace(lab, platform=replace(lab.platform, moving=moving)))
     card.say_anew(anew=True)
     card.say_serials((("dut", "says that it is EM-10, and the bench file states EM-09: look which of the two stands"),))
     for _ in range(2):
         sized((1024, 700), False)
-        settle(still)
+        settle(fixed)
     for said in (card.hands, card.stands, card.anew, card.serials, card.text.below if moving else card.text):
         assert said.isVisibleTo(card)
         assert said.height() >= said.heightForWidth(said.width())
