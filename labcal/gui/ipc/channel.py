@@ -71,10 +71,7 @@ class Channel:
         self._answers: queue.Queue[tuple[str, str]] = queue.Queue()
         self._batch: list[Item] = []
         self._sent_s, self._on_bench = 0.0, False
-        self._in_step, self._keeps_step = (
-            KeepsStep(),
-            False,
-        )  # a simulated run does; real instruments wait for no window
+        self._in_step, self._keeps_step = KeepsStep(), False  # a simulated run does; real ones wait for no window
         self._heartbeat_s: float | None = None  # when the window was heard last; None of one that does not beat
         self._paused_here = False  # for a window that stands still
         self._watched, self._hung_up, self._let_go = watched, False, let_go
