@@ -20,12 +20,14 @@ LONG_S = 5 * AHEAD_S
 @pytest.fixture
 def run():
     """A run that says ten times a second how the lab is, and each time something else: by what window, and how far."""
-    over = []
+    over, before, windows = [], set(threading.enumerate()), []
 
     def begin(*, simulated=True):
         messages = io.StringIO()
         hears, says = os.pipe()
-        channel = Channel(os.fdopen(hears), messages)
+        ear = os.fdopen(hears)
+        channel = Channel(ear, messages)
+        windows.append((says, ear, channel))
         channel.run_begins(simulated)
         threading.Thread(target=lambda: list(channel.requests()), daemon=True).start()
 
@@ -40,6 +42,20 @@ def run():
 
     yield begin
     over.append(True)
+    mine = set(threading.enumerate()) - before
+    for says, _, _ in windows:
+        os.close(says)
+    join(thread for thread in mine if thread.name == "window")
+    for _, ear, channel in windows:
+        channel.run_ends()
+        ear.close()
+    join(mine)  # whoever comes later is not to wait for them
+
+
+def join(threads):
+    for thread in threads:
+        thread.join(20.0)
+        assert not thread.is_alive(), thread
 
 
 def hear(says, word):

@@ -70,7 +70,7 @@ class Window(io.StringIO):
 @pytest.fixture
 def worker(home_of_its_own):
     """A channel whose window is watched, and the number of the request that is worked on."""
-    made = []
+    made, before = [], set(threading.enumerate())
 
     def begin(window, *, answers=True):
         channel = Channel(window.says, window, watched=True)
@@ -86,7 +86,7 @@ def worker(home_of_its_own):
         if not window.dead:
             window.die()
         channel.close_door()
-        for thread in threading.enumerate():
+        for thread in set(threading.enumerate()) - before:
             if thread.name == "window":
                 thread.join(PATIENCE_S)
         window.says.close()
