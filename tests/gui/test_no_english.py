@@ -125,7 +125,7 @@ def words_of(text):
 
 PLACES = re.compile(  # settings, elements, columns, files and addresses, who works here, serials and runs
     r"--set \w+=…|\bK [xyz]{2}\b|\b[a-z]+_\w+|\S*[/\\]\S*|\b\w+@\w+\b|J\. Doe|EM-\d+|"
-    r"\d{8}T\d{6}\w*(-\w+)*"
+    r"\d{8}T\d{6}\w*(-\w+)*|\bZaber device \d+"  # and the emulated stage, as it names itself
 )
 
 
