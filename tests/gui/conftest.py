@@ -203,7 +203,7 @@ def at_rest(window):
     app_state.run.forget()
     app_state.scan_vm.put_away()
     app_state.forget()
-    app_state.lab.update(message="", waiting="", unit="nT")
+    app_state.lab.update(message="", waiting="", unit="nT", asking=False)
     app_state.run.order = None
     app_state.study_vm.forget("")
     for done in ("handed_out", "closed_runs"):

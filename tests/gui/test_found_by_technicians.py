@@ -120,6 +120,7 @@ def test_while_everybody_is_asked_nobody_is_said_not_to_be(still):
     assert standing_of(still) == {"○ not asked"}
     still.page("Bench").check_all()
     assert standing_of(still) == {"… being asked"}
+    assert still.side.read_all.isEnabled()  # who they are is another question than what they read
     still.app_state.off_worker.answer(Identify, Identified((), None))
     assert standing_of(still) == {"○ not asked"}
 

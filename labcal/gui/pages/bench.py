@@ -249,7 +249,7 @@ class BenchPage(QWidget):
     def _say_asking(self, words: str, *, asking: bool) -> None:
         """On the button, and in the row of each who has not answered yet."""
         self.check.setText(words)
-        self._app_state.lab.update(reading=asking)
+        self._app_state.lab.update(asking=asking)
         self._app_state.grow_old()
 
     def _bench_known(self) -> None:

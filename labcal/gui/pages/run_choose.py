@@ -60,11 +60,8 @@ class Choose(QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(2 * GRID)
         self.procedures = ProcedureList()
-        self.list, self.search, self.none_found = (
-            self.procedures.list,
-            self.procedures.search,
-            self.procedures.none_found,
-        )
+        found = self.procedures
+        self.list, self.search, self.none_found = found.list, found.search, found.none_found
         self.list.currentTextChanged.connect(self._chosen)
         row.addWidget(self.procedures, 1)
         row.addWidget(self._form_card(), 3)

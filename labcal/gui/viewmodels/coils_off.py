@@ -172,9 +172,9 @@ class CoilsOff(QObject):
         """The lab, with a platform that was told to stop and was not seen to stand since: the line below says so; and
         with who is being asked.
         """
-        run, to_be_seen = self._window.run, self._report is not None and not self._window.run.alive
-        asked = being_asked(now) if self._window.lab.state.reading or run.state == "starting" else now
-        return replace(self.earlier.seen_in(asked), stop_unseen=to_be_seen)
+        run, lab, to_be_seen = self._window.run, self._window.lab.state, self._report is not None
+        asked = being_asked(now) if lab.reading or lab.asking or run.state == "starting" else now
+        return replace(self.earlier.seen_in(asked), stop_unseen=to_be_seen and not run.alive)
 
     def says(self, fault: Fault | None) -> bool:
         """Whether this card is about coils that are not known to be at zero, or a platform that may turn still."""

@@ -26,6 +26,7 @@ class LabState:
     opening: bool = False  # a bench
     simulated: bool = False
     reading: bool = False  # every instrument, because a person asked
+    asking: bool = False  # every instrument who it is, likewise
     now: LabNow = NOT_TOLD
     keep_off: tuple[str, str] = ("", "")  # the heading over every page while hands have to be off, and its state
     hands: tuple[str, str] = ("", "")  # whether they may go in, and its state; "" where none is to reach in

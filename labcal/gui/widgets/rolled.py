@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 
@@ -37,15 +39,30 @@ class Rolled(QScrollArea):
         self._holder.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Other words: other lines."""
+        """Other words: other lines, and others at the end of what is in sight."""
         if watched is self._holder and event.type() == QEvent.Type.LayoutRequest:
             self._be_whole()
+        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
+            self._end_with_a_row()
         return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """At another width they have other lines."""
+        """At another width they have other lines, and at another height another row at the end."""
         super().resizeEvent(event)
         self._be_whole()
+        self._end_with_a_row()
+
+    def _rows(self) -> Sequence[QWidget]:
+        """What is not to be cut in two where what is in sight ends before it is rolled."""
+        return ()
+
+    def _end_with_a_row(self) -> None:
+        end, seen = self.height(), [one for one in self._rows() if one.isVisible()]
+        tops = [(one.mapTo(self._holder, QPoint()).y(), one.height()) for one in seen]
+        halved = min((top for top, high in tops if 0 < top < end < top + high), default=end)
+        below = end - halved if self._holder.height() > end else 0
+        if self.viewportMargins().bottom() != below:
+            self.setViewportMargins(0, 0, 0, below)
 
     def _be_whole(self) -> None:
         layout = self._holder.layout()

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QTimer
-from PySide6.QtGui import QResizeEvent
+from collections.abc import Sequence
+
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from labcal.gui.theming.theme import GRID
@@ -16,10 +17,10 @@ class RolledForm(Rolled):
     """Holds one form at a time, and `plan`, which comes into sight when it is said."""
 
     def __init__(self, plan: QLabel) -> None:
+        self.form: QWidget | None = None
         self._column = QVBoxLayout()
         self._column.setSpacing(2 * GRID)
         super().__init__(self._column, least=AREA_PX)
-        self.form: QWidget | None = None
         self._plan = plan
         self._column.addWidget(plan)
         self._column.addStretch(1)
@@ -48,24 +49,5 @@ class RolledForm(Rolled):
         bar, high = self.verticalScrollBar(), self.viewport().height()
         bar.setValue(min(begin, max(bar.value(), end - high)))
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Other rows may have come to the end of what is in sight."""
-        taken = super().eventFilter(watched, event)
-        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize):
-            self._end_with_a_row()
-        return taken
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Another height: another row at its end."""
-        super().resizeEvent(event)
-        self._end_with_a_row()
-
-    def _end_with_a_row(self) -> None:
-        """What is in sight before it is rolled ends above the row of the form that would be halved."""
-        end = self.height()
-        parts = [] if self.form is None else self.form.findChildren(QWidget)
-        tops = [(one.mapTo(self._holder, QPoint()).y(), one.height()) for one in parts if one.isVisible()]
-        halved = min((top for top, high in tops if 0 < top < end < top + high), default=end)
-        below = end - halved if self._holder.height() > end else 0
-        if self.viewportMargins().bottom() != below:
-            self.setViewportMargins(0, 0, 0, below)
+    def _rows(self) -> Sequence[QWidget]:
+        return () if self.form is None else self.form.findChildren(QWidget)
