@@ -68,7 +68,8 @@ KINDS = {
         "noise.bands:LENGTHS_KEPT PRIMES", "findings.run_findings:ONE_SIGNAL", "findings.working_range:NOTHING",
         "noise.coloured:RIDGE PARALLEL_FROM", "noise.nuisance:MIN_NEW_SHARE RANK_TOLERANCE", "parallel:CORES",
         "noise.declared_directions:SHOWS",
-        "selection.crossval:NEVER", "selection.proof:PLAYS", "selection.joint_fit:STEPS LEAST_FALL ROUNDS SETTLED_nT",
+        "selection.crossval:NEVER", "selection.proof:PLAYS",
+        "selection.joint_fit:STEPS HALVINGS LEAST_FALL ROUNDS SETTLED_nT",
     ),
     "constant of mathematics": (
         "data.resolution:ROUNDING", "selection.moment:UNIFORM", "noise.differences:SIGMA_PER_MAD SECOND_DIFFERENCE",

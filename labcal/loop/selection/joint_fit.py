@@ -22,6 +22,7 @@ from labcal.model.effects import Scene, Term, families
 
 Array = NDArray[np.float64]
 STEPS = 8
+HALVINGS = 16  # of a step that does not lower the sum of squares
 LEAST_FALL = 1e-9  # of the sum of squares: less is lost in rounding
 ROUNDS = 30  # of fixed-point iteration: an effect of the field acts on the field that contains the effect
 SETTLED_nT = 0.1  # change that ends it
@@ -203,7 +204,9 @@ def _line_search(
     The step takes off what it has `moved`: where that is lost in rounding, nothing falls.
     """
     now = _misfit(here, terms, beta, used, loops)
-    while np.sum(moved**2) > LEAST_FALL * now:
+    for _ in range(HALVINGS):
+        if not np.sum(moved**2) > LEAST_FALL * now:
+            break
         bare, stepped = _stepped(here, terms, beta, step)
         on_secants = tuple(term.over_own_secants(b) for term, b in zip(terms, stepped, strict=True))
         there = _relinearised(bare, on_secants, stepped)
