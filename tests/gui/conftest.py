@@ -214,6 +214,8 @@ def at_rest(window):
     window.page("Run").live.put_away.emit()
     for card in (window.fault, window.page("Run").live.fault):
         card.show_fault(None)
+    for page in ("Fit", "Loop"):
+        window.page(page).fold.setChecked(False)
     app_state.open_bench(str(BENCH))
     app_state.quick_worker.answer(ReadBench, read_bench(None, ReadBench(str(BENCH))))
     window.sidebar.setFocus()
