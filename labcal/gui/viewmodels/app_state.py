@@ -337,9 +337,6 @@ class AppState(QObject):
         """Whether hands may go near now, in words, and the state that goes with it."""
         return hands_at(self.run, self.lab.state.now)
 
-    def _at_hands(self) -> dict[str, tuple[str, str]]:
-        return at_hands(self.run, self.lab.state.now, self.facts)
-
     @property
     def known(self) -> state.LabState | None:
         """The lab as a worker sent it last, by the computer's monotonic clock."""
@@ -354,8 +351,8 @@ class AppState(QObject):
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
         known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive, by_s=self.watch.round.by_s)
         now = self.off.seen_in(self.watch.seen_in(self.left.seen_in(known)))
-        self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT))
-        self.lab.update(**self._at_hands())
+        hands = at_hands(self.run, now, self.facts)  # with it, not after it: no instant contradicts itself
+        self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT), **hands)
         if self.kept.late(self.facts, time.monotonic()) and not self.kept.warned:
             self.kept.warned = True
             self.off.say_what_is_missed()
@@ -380,7 +377,8 @@ class AppState(QObject):
         measuring = self.tr("hands off, measuring") if run.segment is not None else ""
         off = OFF if measuring and run.state == "running" else ""
         waits = {"asking": self.tr("your turn"), "paused": self.tr("paused"), "running": measuring}.get(run.state, "")
-        self.lab.update(message=self.said_at_the_end.line(), waiting=waits, waiting_state=off, **self._at_hands())
+        hands = at_hands(run, self.lab.state.now, self.facts)
+        self.lab.update(message=self.said_at_the_end.line(), waiting=waits, waiting_state=off, **hands)
 
     def handle_exception(self, kind: type[BaseException], error: BaseException, trace: TracebackType | None) -> None:
         """What broke in the window itself is a card as well; the window goes on."""

@@ -18,6 +18,7 @@ class Flow(QLayout):
         super().__init__()
         self._at_left = left
         self._items: list[QLayoutItem] = []
+        self._heights: dict[int, int] = {}  # by width: Qt asks dozens of times for each layout, and nothing has changed
         self.setSpacing(GRID)
         self.setContentsMargins(0, 0, 0, 0)
         for widget in widgets:
@@ -49,8 +50,15 @@ class Flow(QLayout):
 
     def heightForWidth(self, width: int) -> int:
         """Of all rows at this width."""
-        rows = self._rows(width)
-        return sum(self._high(row, width) for row in rows) + self.spacing() * max(0, len(rows) - 1)
+        if width not in self._heights:
+            rows = self._rows(width)
+            self._heights[width] = sum(self._high(row, width) for row in rows) + self.spacing() * max(0, len(rows) - 1)
+        return self._heights[width]
+
+    def invalidate(self) -> None:
+        """What is in it has changed: forget how high it was."""
+        self._heights.clear()
+        super().invalidate()
 
     def sizeHint(self) -> QSize:
         """All in one row."""
