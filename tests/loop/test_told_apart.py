@@ -95,12 +95,21 @@ def test_iron_that_would_give_another_map_is_a_rival(tmp_path: Path) -> None:
     assert named(closed) == [("field-gradient", ["cage-field"])]
 
 
+@pytest.mark.slow
 def test_u_holds_the_map_that_goes_with_the_rival(tmp_path: Path, score: ModuleType) -> None:
     """The same run, whose true map is the rival's: without it the field is off by six times what is stated."""
     made("magnets.py", 65, tmp_path)
     said = score.put_through(tmp_path / "b0065")
     assert said["fresh"] > 5 * said["knew"]
     assert 0.5 < said["over_stated"] < 1.5
+
+
+def test_u_holds_the_map_of_a_rival_of_the_device_before_and_after_it_acts(tmp_path: Path, score: ModuleType) -> None:
+    """A gain that steps between two mountings is a lean of each: it leaves two maps, and a lean one that lies between."""
+    made("sensor_laws.py", 16, tmp_path, seed=38833)
+    said = score.put_through(tmp_path / "b0016")
+    assert ([*said["named"], *said["rivals"][0]], said["fresh"] > 4 * said["knew"]) == (["axis-tilt", "gain-step"], True)
+    assert 0.5 < said["over_stated"] < 1.5  # without it 4.4
 
 
 @pytest.mark.slow
