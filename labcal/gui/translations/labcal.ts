@@ -431,6 +431,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The signed file is {0}, in the folder {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Operator {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1784,6 +1788,10 @@
     </message>
     <message>
         <source>{0}: no sample for {1} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no answer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5764,6 +5772,10 @@
     </message>
     <message>
         <source>{0}: no sample for {1} s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no answer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10220,6 +10232,10 @@ after this step …</source>
     </message>
     <message>
         <source>not looked at at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -431,6 +431,10 @@
         <translation>Eine Kalibrierung wählen, oder oben den Prüfling angeben.</translation>
     </message>
     <message>
+        <source>The signed file is {0}, in the folder {1}</source>
+        <translation>Die signierte Datei ist {0}, im Ordner {1}</translation>
+    </message>
+    <message>
         <source>Operator {0}.</source>
         <translation>Bediener {0}.</translation>
     </message>
@@ -1785,6 +1789,10 @@
     <message>
         <source>{0}: no sample for {1} s.</source>
         <translation>{0}: seit {1} s kein Wert.</translation>
+    </message>
+    <message>
+        <source>{0}: no answer.</source>
+        <translation>{0}: keine Antwort.</translation>
     </message>
     <message>
         <source>{0}: the same reading for {1} s.</source>
@@ -5765,6 +5773,10 @@
     <message>
         <source>{0}: no sample for {1} s</source>
         <translation>{0}: seit {1} s kein Messwert</translation>
+    </message>
+    <message>
+        <source>{0}: no answer</source>
+        <translation>{0}: keine Antwort</translation>
     </message>
     <message>
         <source>{0}: it answers again, {1} s after its loss was noticed</source>
@@ -10222,6 +10234,10 @@ diesem Schritt …</translation>
     <message>
         <source>not looked at at rest</source>
         <translation>in Ruhe nicht abgefragt</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>und {0} weitere</translation>
     </message>
 </context>
 <context>

@@ -431,6 +431,10 @@
         <translation>Choisissez un étalonnage, ou indiquez en haut quel DUT.</translation>
     </message>
     <message>
+        <source>The signed file is {0}, in the folder {1}</source>
+        <translation>Le fichier signé est {0}, dans le dossier {1}</translation>
+    </message>
+    <message>
         <source>Operator {0}.</source>
         <translation>Opérateur {0}.</translation>
     </message>
@@ -1785,6 +1789,10 @@
     <message>
         <source>{0}: no sample for {1} s.</source>
         <translation>{0} : aucun échantillon depuis {1} s.</translation>
+    </message>
+    <message>
+        <source>{0}: no answer.</source>
+        <translation>{0} : pas de réponse.</translation>
     </message>
     <message>
         <source>{0}: the same reading for {1} s.</source>
@@ -5765,6 +5773,10 @@
     <message>
         <source>{0}: no sample for {1} s</source>
         <translation>{0} : aucun échantillon depuis {1} s</translation>
+    </message>
+    <message>
+        <source>{0}: no answer</source>
+        <translation>{0} : pas de réponse</translation>
     </message>
     <message>
         <source>{0}: it answers again, {1} s after its loss was noticed</source>
@@ -10222,6 +10234,10 @@ cette étape …</translation>
     <message>
         <source>not looked at at rest</source>
         <translation>pas lu au repos</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>et {0} de plus</translation>
     </message>
 </context>
 <context>
