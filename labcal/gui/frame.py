@@ -172,11 +172,11 @@ class Frame(QMainWindow):
             tip = self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1)
             self.sidebar_buttons.button(index).setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
 
-    def say_next(self, following: str) -> None:
-        """What is next, in words; what was said of another is past."""
+    def say_next(self, following: str, about: str = "") -> None:
+        """What is next, in words, for the DUT that it is `about`; what was said of another is past."""
         if following != self.next.following:
             self._said_for_now.put_away()
-        self.next.say(self.tr("Next: {0}").format(following), following)
+        self.next.say(self.tr("Next: {0}").format(following), following, about)
         self.next.show()
 
     def open_page(self, name: str) -> None:
