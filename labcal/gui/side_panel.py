@@ -318,7 +318,7 @@ class SidePanel(Surface):
         while len(self.rows) < len(state.now.lights):
             self.rows.append(InstrumentRow())
             self._lights.addWidget(self.rows[-1])
-        self.read_all.setEnabled(bool(state.bench) and not state.now.driven and not state.reading)
+        self.read_all.setEnabled(bool(state.bench) and not state.reading)  # in a run it says why it does not
         others, back = dict(state.other_serials), dict(state.back)
         of_all = self._of_all(state)
         self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))

@@ -8,9 +8,15 @@ from labcal.gui.widgets.fault_card import FaultCard
 
 
 @pytest.fixture
-def card(qtbot):
-    holder, made = QWidget(), FaultCard()
-    qtbot.addWidget(holder)
+def holder(qtbot):
+    made = QWidget()
+    qtbot.addWidget(made)
+    return made
+
+
+@pytest.fixture
+def card(holder):
+    made = FaultCard()
     column = QVBoxLayout(holder)
     column.addWidget(made)
     column.addStretch(1)  # as the page below it takes what is left
@@ -18,7 +24,7 @@ def card(qtbot):
     holder.show()
     made.show_fault(Fault("coils", "no answer", "By hand: at its panel, or at its mains switch."))
     says(made, by_hand=("supply_x", "supply_y", "supply_z"), not_read=("supply_w",), platform="platform turns, at 69°")
-    yield made
+    return made
 
 
 def says(card, *, by_hand=(), not_read=(), platform="platform stands at 69°"):

@@ -19,6 +19,7 @@ from labcal.gui.widgets.common import Card, button, label, set_primary, set_stat
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.goes_on_elsewhere import GoesOnElsewhere
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.no_fit import NoFit
@@ -59,6 +60,8 @@ class FitPage(QWidget):
         self.views.filter_wanted.connect(self._show_growth)
         column.addWidget(self._table_card(), 2)
         column.addWidget(self.views, 3)
+        self.elsewhere = GoesOnElsewhere(app_state)
+        column.addWidget(self.elsewhere)
         self.idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         self._show()

@@ -6467,6 +6467,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Reading every instrument; nothing is set …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10235,7 +10239,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>read again in the next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>and {0} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being traced: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being fitted: {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -6467,6 +6467,10 @@
         <translation>beim Wächter der letzten Sitzung</translation>
     </message>
     <message>
+        <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
+        <translation>Eine Messung läuft und liest die Geräte selbst; der Prüfling wird in ihrem nächsten Schritt wieder gelesen.</translation>
+    </message>
+    <message>
         <source>Reading every instrument; nothing is set …</source>
         <translation>Alle Geräte werden gelesen; nichts wird gestellt …</translation>
     </message>
@@ -10236,8 +10240,20 @@ diesem Schritt …</translation>
         <translation>in Ruhe nicht abgefragt</translation>
     </message>
     <message>
+        <source>read again in the next step</source>
+        <translation>im nächsten Schritt wieder gelesen</translation>
+    </message>
+    <message>
         <source>and {0} more</source>
         <translation>und {0} weitere</translation>
+    </message>
+    <message>
+        <source>Being traced: {0}</source>
+        <translation>Rest wird erklärt: {0}</translation>
+    </message>
+    <message>
+        <source>Being fitted: {0}</source>
+        <translation>Wird gefittet: {0}</translation>
     </message>
 </context>
 <context>

@@ -6467,6 +6467,10 @@
         <translation>tenu par le gardien de la dernière session</translation>
     </message>
     <message>
+        <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
+        <translation>Une mesure est en cours et lit elle-même les appareils ; le DUT est relu à son étape suivante.</translation>
+    </message>
+    <message>
         <source>Reading every instrument; nothing is set …</source>
         <translation>Lecture de tous les appareils ; rien n&apos;est réglé …</translation>
     </message>
@@ -10236,8 +10240,20 @@ cette étape …</translation>
         <translation>pas lu au repos</translation>
     </message>
     <message>
+        <source>read again in the next step</source>
+        <translation>relu à l’étape suivante</translation>
+    </message>
+    <message>
         <source>and {0} more</source>
         <translation>et {0} de plus</translation>
+    </message>
+    <message>
+        <source>Being traced: {0}</source>
+        <translation>Résidu en cours d’explication : {0}</translation>
+    </message>
+    <message>
+        <source>Being fitted: {0}</source>
+        <translation>Ajustement en cours : {0}</translation>
     </message>
 </context>
 <context>
