@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import hypot
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
@@ -228,7 +228,8 @@ class SidePanel(Surface):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """In another width there is room for other words."""
         super().resizeEvent(event)
-        self._in_few_lines()
+        if event.size().width() != event.oldSize().width():
+            QTimer.singleShot(0, self, self._in_few_lines)  # now it would hold a window large that is being made small
 
     def _in_few_lines(self) -> None:
         """The longest form for which there is room; the whole stands in the tip."""
@@ -259,6 +260,7 @@ class SidePanel(Surface):
     def _blank_hands(self) -> None:
         self.keep_off.setText(f"▲ {cannot_be_shown()}")
         set_state(self.keep_off, "bad")
+        self._why, self._coils_again = "", True
         self.keep_off.show()
         self.hands_group.show()
         for said in (self.may_go_in, self.hands, self.zero_words):

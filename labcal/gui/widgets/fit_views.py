@@ -16,6 +16,7 @@ from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
+from labcal.gui.widgets.plot_letters import title_size
 from labcal.gui.widgets.plots import DASHED, Loci, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.shell_plot import draw_degrees
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
@@ -240,5 +241,6 @@ class FitViews(Card):
             gauss = area * np.exp(-0.5 * (x / noise_nT) ** 2) / (noise_nT * np.sqrt(2 * np.pi))
             self.histogram.plot(x, gauss, pen=pg.mkPen(self._theme.text, width=2))
         rms = format_number(float(np.sqrt(np.mean(residual**2))), signed=False)
-        self.histogram.setTitle(self.tr("mean {0} nT, rms {1} nT").format(format_number(float(residual.mean())), rms))
+        words = self.tr("mean {0} nT, rms {1} nT").format(format_number(float(residual.mean())), rms)
+        self.histogram.setTitle(words, size=title_size())
         self.histogram.autoRange()
