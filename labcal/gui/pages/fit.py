@@ -12,6 +12,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.calibration_rows import NONE
 from labcal.gui.viewmodels.fit_words import OF_WHICH, said_of, set_aside_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
@@ -28,7 +29,7 @@ from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("offset k x  nT", "offset k y  nT", "offset k z  nT")
-GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
+GAINS = tuple(f"K {a}{b}  {NONE}" for a in "xyz" for b in "xyz")
 LEAST_ROWS = 8  # of the table are always seen: how good, and where zero is
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
