@@ -217,7 +217,7 @@ class Loci(QWidget):
         widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
         self.plots.append(widget)
         self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
-        self._views.append([_lines(widget) for _ in range(self._clouds)])
+        self._views.append([lines(widget) for _ in range(self._clouds)])
         self._row.addWidget(widget)
         self._colour(self._theme)
         return True
@@ -259,12 +259,16 @@ class Loci(QWidget):
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
         self._whole()
-        path = _broken(_directions(field_nT, most))
-        for (right, up), clouds in zip(VIEWS, self._views, strict=True):
-            front, behind = clouds[cloud]
-            x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
-            front.setData(x, np.where(toward, y, np.nan), connect="finite")
-            behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+        set_locus([clouds[cloud] for clouds in self._views], field_nT, most)
+
+
+def set_locus(views: Sequence[tuple[pg.PlotCurveItem, pg.PlotCurveItem]], field_nT: Array, most: int) -> None:
+    """The directions of fields (n, 3) into the lines of each of `VIEWS`: before the sphere, and behind it."""
+    path = _broken(_directions(field_nT, most))
+    for (right, up), (front, behind) in zip(VIEWS, views, strict=True):
+        x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
+        front.setData(x, np.where(toward, y, np.nan), connect="finite")
+        behind.setData(x, np.where(toward, np.nan, y), connect="finite")
 
 
 def with_alpha(colour: str, alpha: int) -> QColor:
@@ -312,7 +316,7 @@ def _broken(path: Array) -> Array:
     return np.insert(path, jumps, np.nan, axis=0)
 
 
-def _lines(widget: pg.PlotWidget) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
+def lines(widget: pg.PlotWidget) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
     """What lies in front of the sphere, and behind it."""
     front, behind = pg.PlotCurveItem(), pg.PlotCurveItem()
     widget.addItem(behind)
