@@ -54,7 +54,7 @@ def fit_letters(widget: Any) -> None:
         for named in (one, getattr(one, "label", None)):
             if hasattr(named, "setFont"):
                 named.setFont(font)
-    if item.titleLabel.text:
+    if item.titleLabel.isVisible():
         item.setTitle(item.titleLabel.text, size=title_size())
 
 

@@ -55,9 +55,8 @@ class TurnLoci(Loci):
                 behind.setPen(pg.mkPen(with_alpha(ink, BEHIND_ALPHA), style=style))
         for widget, axis in zip(self.plots, AXES, strict=False):  # what is no turn beside those about x
             of_it = [turn for turn, _ in self.turns if (turn.axis or AXES[0]) == axis]
-            legend_above(
-                widget, [(f"{DASHED} {one.name}" if one.down else one.name, ink_of(one, theme)) for one in of_it]
-            )
+            named = [(f"{DASHED} {one.name}" if one.down else one.name, ink_of(one, theme)) for one in of_it]
+            legend_above(widget, named) if self.turns else widget.setTitle(None)  # all circles of one size
 
 
 def ink_of(turn: Turn, theme: Theme) -> str:
