@@ -184,7 +184,7 @@ class SidePanel(Surface):
             ShownPart(lambda state: self._show_coils(state.now), self._blank_coils),
             ShownPart(self._show_hands, self._blank_hands),
             ShownPart(self._show_field, self._blank_field),
-            ShownPart(lambda state: self._show_platform(state.now), self._blank_platform),
+            ShownPart(self._show_platform, self._blank_platform),
             ShownPart(self._show_lights, self._blank_lights),
         )
 
@@ -299,8 +299,10 @@ class SidePanel(Surface):
         for row, axis in enumerate(now.field_measured_nT or (None,) * 3):
             self.field.show_row(AXES + row, "–" if axis is None else format_field(axis, state.unit), state=old)
 
-    def _show_platform(self, now: LabNow) -> None:
+    def _show_platform(self, state: LabState) -> None:
         """That it stands or turns in two words, with its angle; what is not so plain in the whole sentence."""
+        now = state.now
+        anew = self.tr("simulated: began anew at its zero") if state.simulated and state.platform_anew else ""
         shape, mark = platform_drawn(now.platform_words, now.coil_words)
         whole = f"{shape} {in_words(now.platform_words)}".strip()
         plainly = {"platform stands": self.tr("stands"), "platform turns": self.tr("turns")}
@@ -312,7 +314,8 @@ class SidePanel(Surface):
         self.platform.say(whole, f"{shape} {short}" if short else whole)
         set_state(self.platform, mark)
         self.platform_group.setVisible(bool(whole))
-        self.platform_group.age.setText(age_words(now.platform_old_s) if short else "")
+        age = age_words(now.platform_old_s) if short else ""
+        self.platform_group.age.setText(", ".join(filter(None, (age, "" if now.driven else anew))))
         self.angle.setText(f"{now.platform_deg:.0f}°" if short else "")
         set_state(self.angle, "old" if mark == "old" else "")
 

@@ -27,6 +27,12 @@ def figures_pt(window):
     return found
 
 
+def names_of_axes(window):
+    """As they are drawn."""
+    plots = [one for one in window.findChildren(QGraphicsView) if isinstance(one, pg.PlotWidget)]
+    return [one.getPlotItem().getAxis(side).label.toPlainText() for one in plots for side in ("bottom", "left")]
+
+
 def settle():
     for _ in range(3):
         QApplication.processEvents()
@@ -37,7 +43,7 @@ def test_letters_of_every_plot_grow_with_the_windows(new_window):
         new_window.open_page(name)
     _ = new_window.page("Fit").views.residual
     settle()
-    before = figures_pt(new_window)
+    before, names = figures_pt(new_window), names_of_axes(new_window)
     assert len(before) > 10
     new_window.resize(1920, 1080)
     settle()
@@ -45,6 +51,7 @@ def test_letters_of_every_plot_grow_with_the_windows(new_window):
     new_window.toggle_wall()
     settle()
     grown = figures_pt(new_window)
+    assert names_of_axes(new_window) == names != [""] * len(names)
     assert grown == pytest.approx([new_window._scale * pt for pt in before])
     _ = new_window.page("Fit").views.magnitude  # built only now
     assert set(map(round, figures_pt(new_window))) == set(map(round, grown))

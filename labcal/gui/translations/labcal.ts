@@ -7671,6 +7671,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>simulated: began anew at its zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>stands</source>
         <translation type="unfinished"></translation>
     </message>

@@ -7672,6 +7672,10 @@ diesem Schritt …</translation>
         <translation>an</translation>
     </message>
     <message>
+        <source>simulated: began anew at its zero</source>
+        <translation>simuliert: neu begonnen, bei null</translation>
+    </message>
+    <message>
         <source>stands</source>
         <translation>steht</translation>
     </message>

@@ -7672,6 +7672,10 @@ cette étape …</translation>
         <translation>actives</translation>
     </message>
     <message>
+        <source>simulated: began anew at its zero</source>
+        <translation>simulé : recommencé à zéro</translation>
+    </message>
+    <message>
         <source>stands</source>
         <translation>arrêtée</translation>
     </message>

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
@@ -27,7 +29,7 @@ def role_word(role: str) -> str:
     return translated(str(ROLES[role]))
 
 
-def reading_text(role: str, values: Sequence[float]) -> str:
+def reading_text(role: str, values: Sequence[float] | NDArray[np.float64]) -> str:
     """The last sample of an instrument, short."""
     unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
     return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit

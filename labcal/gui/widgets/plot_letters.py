@@ -48,12 +48,11 @@ def fit_letters(widget: Any) -> None:
         axis.setTickFont(font)
         axis.label.setFont(font)
         axis.textWidth, axis.textHeight = 30, 18  # as pyqtgraph begins: it grows by what is written
-        axis.setLabel()
         axis._updateLabel()
     for one in item.items:
         for named in (one, getattr(one, "label", None)):
-            if hasattr(named, "setFont"):
-                named.setFont(font)
+            if (letters := getattr(named, "setFont", None)) is not None:
+                letters(font)
     if item.titleLabel.isVisible():
         item.setTitle(item.titleLabel.text, size=title_size())
 
