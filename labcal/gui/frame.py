@@ -34,6 +34,7 @@ from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
 from labcal.gui.widgets.next_button import NextButton
+from labcal.gui.widgets.plot_letters import scale_plots
 from labcal.gui.widgets.two_lines import TwoLines
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
@@ -172,11 +173,11 @@ class Frame(QMainWindow):
             tip = self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1)
             self.sidebar_buttons.button(index).setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
 
-    def say_next(self, following: str) -> None:
-        """What is next, in words; what was said of another is past."""
+    def say_next(self, following: str, about: str = "") -> None:
+        """What is next, in words, for the DUT that it is `about`; what was said of another is past."""
         if following != self.next.following:
             self._said_for_now.put_away()
-        self.next.say(self.tr("Next: {0}").format(following), following)
+        self.next.say(self.tr("Next: {0}").format(following), following, about)
         self.next.show()
 
     def open_page(self, name: str) -> None:
@@ -224,6 +225,7 @@ class Frame(QMainWindow):
     def set_scale(self, scale: float) -> None:
         """Room for texts `scale` times their size."""
         self._scale = scale
+        scale_plots(self, scale)
         self._give_room()
 
     def hold_minimum(self, held: bool) -> None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from math import hypot
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
 from labcal.bench.coils.state import ON
@@ -27,7 +28,18 @@ from labcal.gui.viewmodels.lab_now import (
 )
 from labcal.gui.viewmodels.number_format import format_field, format_number
 from labcal.gui.widgets.by_itself import ShownPart, cannot_be_shown
-from labcal.gui.widgets.common import ReadoutGrid, Surface, WholeWords, button, label, named, set_state, tabular_font
+from labcal.gui.widgets.common import (
+    ReadoutGrid,
+    Surface,
+    WholeWords,
+    button,
+    label,
+    named,
+    plain,
+    set_state,
+    tabular_font,
+)
+from labcal.gui.widgets.few_lines import MOST_LINES, lines, said_shorter
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.rolled_column import RolledColumn
 
@@ -95,6 +107,7 @@ class SidePanel(Surface):
 
     def __init__(self) -> None:
         super().__init__(Qt.Edge.LeftEdge)
+        self._why, self._coils_again = "", True  # what of the hands is shown, and whether that speaks of the coils
         column = QVBoxLayout(self)
         column.setContentsMargins(MARGIN, 3 * GRID // 2, 0, GRID)
         column.setSpacing(3 * GRID // 2)
@@ -135,7 +148,7 @@ class SidePanel(Surface):
         """The largest words of this panel, and below them why."""
         self.keep_off = label("", "ask", wrap=True)
         self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
-        self.may_go_in, self.hands, self.zero_words = label("", "title", wrap=True), WholeWords(), label("", wrap=True)
+        self.may_go_in, self.hands, self.zero_words = label("", "title", wrap=True), WholeWords(), WholeWords()
         self.hands_group = QWidget()
         column = QVBoxLayout(self.hands_group)
         column.setContentsMargins(0, 0, MARGIN, 0)
@@ -171,7 +184,7 @@ class SidePanel(Surface):
             ShownPart(lambda state: self._show_coils(state.now), self._blank_coils),
             ShownPart(self._show_hands, self._blank_hands),
             ShownPart(self._show_field, self._blank_field),
-            ShownPart(lambda state: self._show_platform(state.now), self._blank_platform),
+            ShownPart(self._show_platform, self._blank_platform),
             ShownPart(self._show_lights, self._blank_lights),
         )
 
@@ -185,7 +198,8 @@ class SidePanel(Surface):
         on = self.tr("on")
         self.coils_on.setText(f"{shape} {on}" if words.startswith(ON) else "")
         set_state(self.coils_on, mark)
-        self.zero_words.setText(f"{shape} {in_words(words)}".strip())
+        whole = f"{shape} {in_words(words)}".strip()
+        self.zero_words.say(whole, whole)
         set_state(self.zero_words, mark)
 
     def _show_hands(self, state: LabState) -> None:
@@ -199,15 +213,37 @@ class SidePanel(Surface):
         answer, _, why = said.partition(":")
         self.may_go_in.setText(answer.strip() if why else said)
         self.may_go_in.setVisible(bool(said) and not off)
-        self.hands.say(said, why.strip() if why else "" if not off else said)
+        self._why = why.strip() if why else "" if not off else said
+        self.hands.say(said, self._why)
         self.hands.setVisible(bool(said))
         for place in (self.may_go_in, self.hands):
             set_state(place, mark)
         again = mark in MAY or in_words(coils) in why or coils.startswith(ON)
         again = again or (off_mark == "bad" and mark_of(coils)[1] in ("", "good"))  # what calms stands below no alarm
-        self.zero_words.setVisible(bool(coils) and not again)
+        self._coils_again = again or not coils
         self.hands_group.setVisible(bool(off or said or (coils and not again)))
+        self._in_few_lines()
         self._place_hands()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """In another width there is room for other words."""
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            QTimer.singleShot(0, self, self._in_few_lines)  # now it would hold a window large that is being made small
+
+    def _in_few_lines(self) -> None:
+        """The longest form for which there is room; the whole stands in the tip."""
+        both = self.hands, self.zero_words
+        width = self.width() - 2 * MARGIN
+        above = sum(lines(one, one.text(), width) for one in (self.keep_off, self.may_go_in) if not one.isHidden())
+        told = "" if self._coils_again else self.zero_words.text()
+        for forms in said_shorter(self._why, told):  # the last one that comes has to do
+            if above + sum(lines(one, form, width) for one, form in zip(both, forms, strict=True)) <= MOST_LINES:
+                break
+        for one, form, whole in zip(both, forms, (self._why, told), strict=True):
+            one.say(one.text(), form)
+            one.setToolTip("" if form == whole else plain(one.text()))
+        self.zero_words.setVisible(bool(forms[1]))
 
     def _place_hands(self) -> None:
         """At once: in a frame before Qt lays it out, other words would be cut in the middle of a line."""
@@ -218,12 +254,13 @@ class SidePanel(Surface):
     def _blank_coils(self) -> None:
         self.coils.blank()
         self.coils_age.setText(cannot_be_shown())
-        for said in (self.coils_on, self.zero_words):
-            said.setText("")
+        self.coils_on.setText("")
+        self.zero_words.say("", "")
 
     def _blank_hands(self) -> None:
         self.keep_off.setText(f"▲ {cannot_be_shown()}")
         set_state(self.keep_off, "bad")
+        self._why, self._coils_again = "", True
         self.keep_off.show()
         self.hands_group.show()
         for said in (self.may_go_in, self.hands, self.zero_words):
@@ -262,8 +299,10 @@ class SidePanel(Surface):
         for row, axis in enumerate(now.field_measured_nT or (None,) * 3):
             self.field.show_row(AXES + row, "–" if axis is None else format_field(axis, state.unit), state=old)
 
-    def _show_platform(self, now: LabNow) -> None:
+    def _show_platform(self, state: LabState) -> None:
         """That it stands or turns in two words, with its angle; what is not so plain in the whole sentence."""
+        now = state.now
+        anew = self.tr("simulated: began anew at its zero") if state.simulated and state.platform_anew else ""
         shape, mark = platform_drawn(now.platform_words, now.coil_words)
         whole = f"{shape} {in_words(now.platform_words)}".strip()
         plainly = {"platform stands": self.tr("stands"), "platform turns": self.tr("turns")}
@@ -275,7 +314,8 @@ class SidePanel(Surface):
         self.platform.say(whole, f"{shape} {short}" if short else whole)
         set_state(self.platform, mark)
         self.platform_group.setVisible(bool(whole))
-        self.platform_group.age.setText(age_words(now.platform_old_s) if short else "")
+        age = age_words(now.platform_old_s) if short else ""
+        self.platform_group.age.setText(", ".join(filter(None, (age, "" if now.driven else anew))))
         self.angle.setText(f"{now.platform_deg:.0f}°" if short else "")
         set_state(self.angle, "old" if mark == "old" else "")
 
@@ -283,7 +323,7 @@ class SidePanel(Surface):
         while len(self.rows) < len(state.now.lights):
             self.rows.append(InstrumentRow())
             self._lights.addWidget(self.rows[-1])
-        self.read_all.setEnabled(bool(state.bench) and not state.now.driven and not state.reading)
+        self.read_all.setEnabled(bool(state.bench) and not state.reading)  # in a run it says why it does not
         others, back = dict(state.other_serials), dict(state.back)
         of_all = self._of_all(state)
         self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))

@@ -285,7 +285,8 @@ class Window(Frame):
         to, app_state = self.app_state.path.next(), self.app_state
         here, unlike = self.page_shown() == to.page, app_state.one_dut.unlike(to, self.page_shown())
         begins = self.tr("Begin {0}").format(app_state.path.begins)
-        self.say_next(begins if here and to.ready else said_here(self.lazy_pages, to, here, unlike))
+        following = begins if here and to.ready else said_here(self.lazy_pages, to, here, unlike)
+        self.say_next(following, app_state.lab.state.dut_serial)
         calm = not app_state.off.warns or app_state.run.alive or to.page == "Bench"  # else the red card comes first
         QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget(), calm=calm))
         nothing_to_do = to.waits and here

@@ -16,7 +16,8 @@ from labcal.gui.ipc.answers import CoilEnd, Doubt, Ended, Identified, Instrument
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import Identify, ReadBench, RunProcedure, SwitchOff
 from labcal.gui.ipc.wire import Fault
-from labcal.gui.pages.bench import HEADINGS, reading_text
+from labcal.gui.pages.bench import HEADINGS
+from labcal.gui.viewmodels.role_words import reading_text
 from labcal.gui.widgets.cage_view import REACH, half_px
 from labcal.record.stream import Block
 

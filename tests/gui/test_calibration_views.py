@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure, Standing
+from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure, FitFigures, Fitted, Standing
 from labcal.gui.ipc.messages import ListCalibrations
 from labcal.gui.theming.theme import DARK, LIGHT
 from labcal.gui.viewmodels.calibration_rows import PARAMETERS, cause_rows, map_rows, short_rows
@@ -206,3 +206,20 @@ def test_the_loop_page_says_it_too(still):
     assert "u_mounting_deg" in page.most_of_U.toolTip()
     app_state.path.take_calibrations(())
     assert page.most_of_U.isHidden()
+
+
+@pytest.mark.parametrize(("unit", "said"), [("nT", "1"), ("LSB", "nT/LSB")])
+def test_every_row_of_a_map_says_its_unit_and_that_of_k_is_1_where_readings_are_fields(unit, said):
+    one = calibration()
+    one = replace(one, dut=replace(one.dut, unit=unit))
+    assert [row[3].text for row in map_rows(one)] == ["nT"] * 3 + [said] * 9
+
+
+def test_rows_of_the_fit_table_say_that_k_has_no_unit(still):
+    page, study = still.page("Fit"), still.app_state.study_vm
+    study.fits = {"ml": Fitted(FitFigures(False, "diverged"))}
+    study.changed.emit()
+    page.idle_queue.finish()
+    names = [page.table.text(row, 0) for row in range(page.table.rowCount())]
+    assert [name for name in names if name.startswith("K ")] == [f"K {a}{b}  1" for a in "xyz" for b in "xyz"]
+    assert all("  " in name for name in names if name.startswith(("K ", "offset")))

@@ -8,6 +8,7 @@ import pytest
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import ReadBench, RunProcedure
+from labcal.gui.viewmodels.not_at_rest import not_at_rest
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 ONE_AXIS = "▲ No whole calibration can come of one body axis"
@@ -104,3 +105,20 @@ def test_the_bench_is_not_asked_anything_in_a_run_and_says_why(still):
     assert all(button.toolTip().startswith("A run goes on") for button in asks)
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
     assert all(button.isEnabled() and not button.toolTip().startswith("A run") for button in asks)
+
+
+def test_that_a_run_holds_the_instruments_stands_beside_what_cannot_be_pressed(still):
+    still.open_page("Bench")
+    page = still.page("Bench")
+    assert not page.after_it.isVisible()
+    still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    assert page.after_it.isVisible()
+    assert page.after_it.text() == page.check.toolTip()
+    still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "finished"))
+    assert not page.after_it.isVisible()
+
+
+@pytest.mark.parametrize(("driven", "said"), [(True, "read again in the next step"), (False, "not looked at at rest")])
+def test_why_the_dut_is_not_read_stands_in_its_row(driven, said):
+    assert not_at_rest("dut", "old", driven=driven) == said
+    assert not_at_rest("dut", "ok", driven=driven) == not_at_rest("reference", "old", driven=driven) == ""

@@ -130,7 +130,9 @@ def test_one_button_reads_all_and_says_who_answered(qtbot, still):
     assert bench.table.text(list(still.app_state.facts.instruments).index("dut"), 3).startswith("a dut")
     still.app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
     still.app_state.grow_old()
-    assert not still.side.read_all.isEnabled()  # the run reads them itself
+    qtbot.mouseClick(still.side.read_all, Qt.MouseButton.LeftButton)  # the run reads them itself, and that is said
+    assert still.message.text().startswith("A run goes on and reads the instruments itself; the DUT is read again in")
+    assert still.app_state.watch_worker.commands(ReadLab) == []
 
 
 def test_where_somebody_was_slow_while_a_person_had_all_read_it_is_looked_at_once_more(still, monkeypatch):

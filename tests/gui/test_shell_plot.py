@@ -10,7 +10,7 @@ import pytest
 
 from labcal.gui.ipc import study_commands
 from labcal.gui.ipc.answers import FitFigures, Fitted
-from labcal.gui.ipc.messages import FitRun
+from labcal.gui.ipc.messages import FitRun, LookAt
 from labcal.gui.theming.theme import DARK
 from labcal.gui.widgets.fit_views import FACES, FitViews
 from labcal.record import Channel as Housekeeping
@@ -57,6 +57,13 @@ def test_a_cubic_stands_at_degree_three(views: FitViews, tmp_path: Path) -> None
     views.show_fit(None, "ml", told)
     assert np.abs(np.array(bars(views)) - [0, 0, 0, CUBIC_nT * np.sqrt(12 / 175)]).max() < 5
     assert "50 µT" in views.degrees.getPlotItem().titleLabel.text
+
+
+def test_a_look_says_of_which_segment_each_reading_is(tmp_path: Path) -> None:
+    told = study_commands.look(None, LookAt(str(sphere(tmp_path / "s.zip"))))
+    assert len(told.segment_index) == len(told.before)
+    assert {int(one) for one in told.segment_index} == set(range(len(told.segments)))
+    assert all(told.segments)
 
 
 def test_a_run_without_a_sphere_says_what_would_show_one(views: FitViews) -> None:

@@ -159,7 +159,7 @@ def test_as_long_as_anything_is_on_or_turns_the_headline_keeps_hands_off(still):
         assert live.headline.text() == said
     lost = "dut: no sample for 2.1 s. Is its plug in at both ends, and has it power?"
     emit((Event(2.0, FAULT, lost, {"step": "z+50uT", "fault": "silent"}),))
-    assert still.app_state.run.message == "dut: no sample for 2.1 s"
+    assert still.app_state.run.message == "dut: no answer"
 
 
 def test_a_platform_that_turned_when_it_was_read_last_is_not_said_to_turn_now():

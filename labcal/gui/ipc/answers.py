@@ -147,13 +147,18 @@ class Procedures:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Look:
-    """A run as it was recorded: readings (n, 3) [nominal nT], and what they may be drawn against, by name with unit."""
+    """A run as it was recorded: readings (n, 3) [nominal nT], and what they may be drawn against, by name with unit.
+
+    `segment_index` (n,) into `segments`, by name; empty where they are not told apart.
+    """
 
     run_id: str
     dut: str
     n_samples: int
     before: Array
     against: Mapping[str, Array]
+    segments: tuple[str, ...] = ()
+    segment_index: Array = field(default_factory=lambda: np.empty(0))
 
 
 @dataclass(frozen=True, slots=True)

@@ -80,7 +80,8 @@ def look(channel: Channel, asked: LookAt) -> Look:
     measured = loaded_run(asked.run)
     rows = thinned(len(measured))
     before, against = measured.reading_nT[rows], regressors(measured, rows)
-    return Look(measured.run_id, measured.dut.serial, len(measured), before, against)
+    names, index = tuple(one.id for one in measured.segments), measured.segment_index[rows].astype(float)
+    return Look(measured.run_id, measured.dut.serial, len(measured), before, against, names, index)
 
 
 def fit(channel: Channel, asked: FitRun) -> Fitted:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from math import hypot
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QSizePolicy, QVBoxLayout, QWidget
@@ -23,7 +22,7 @@ from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, old_s
 from labcal.gui.viewmodels.not_at_rest import not_at_rest
 from labcal.gui.viewmodels.number_format import format_number, short_number
-from labcal.gui.viewmodels.role_words import ORDER, role_word
+from labcal.gui.viewmodels.role_words import ORDER, reading_text, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.widgets.bench_chooser import choose_bench
 from labcal.gui.widgets.bench_editor import BenchEditor
@@ -141,7 +140,10 @@ class BenchPage(QWidget):
         self.empty = label(self.tr("Open a bench file, or take the simulated lab."), "ask", wrap=True)
         self.to_do = label("", wrap=True)
         set_state(self.to_do, "bad")
+        self.after_it = label(self.tr("A run goes on and holds the instruments: after it."), "caption", wrap=True)
+        self.after_it.hide()
         card.body.addLayout(row)  # above what comes and goes: nothing moves a button away under a click
+        card.body.addWidget(self.after_it)
         card.body.addWidget(self.to_do)
         card.body.addWidget(self.empty)
         card.body.addWidget(self.table, 1)
@@ -273,7 +275,8 @@ class BenchPage(QWidget):
     def _enable(self) -> None:
         """What asks the instruments waits for the end of a run, and says so."""
         alive, there = self._app_state.run.alive, self._app_state.facts is not None
-        reason = self.tr("A run goes on and holds the instruments: after it.")
+        self.after_it.setVisible(alive)
+        reason = self.after_it.text()
         for widget, tip in self._tips.items():
             asks_them = widget in (self.check, self.reconnect)
             widget.setEnabled(not alive and (there or not asks_them))
@@ -392,9 +395,3 @@ class BenchPage(QWidget):
         most = " / ".join(map(short_number, dict.fromkeys(cage.limit_A)))
         field = format_number(cage.limit_nT, 0, signed=False)
         return self.tr("<br><br>at most {0} A a coil<br>at most {1} nT").format(most, field)
-
-
-def reading_text(role: str, values: Any) -> str:
-    """The last sample of an instrument, short."""
-    unit = {"dut": "", "reference": " nT", "platform": "°"}.get(role, "")
-    return "  ".join(format_number(float(value), 1) for value in values[:3]) + unit

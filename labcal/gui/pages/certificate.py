@@ -30,6 +30,7 @@ from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.kept_place import place_kept
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.names_card import NamesCard
+from labcal.gui.widgets.open_externally import WrittenAt
 from labcal.gui.widgets.run_chooser import run_name
 from labcal.record.told import Told
 
@@ -55,6 +56,7 @@ class CertificatePage(QWidget):
         self.fault.report_requested.connect(app_state.report_requested)
         self.names = NamesCard(app_state, self.fault, self._names_known)
         self.steps = SigningSteps(app_state, self.chosen, self.fault, self._done, self.names.lacks)
+        self.lies = WrittenAt()  # once it is signed
         self.paper = Paper(app_state, self.chosen, self.fault)
         self.said = self.paper.said
         self.paper.handed_out.connect(self._handed_out)
@@ -69,7 +71,7 @@ class CertificatePage(QWidget):
         column.addWidget(self.drop)
         column.addWidget(self.empty_card)
         column.addWidget(flat(self._chosen_card()))
-        for part in (self.fault, self.names, self.steps, self.paper):
+        for part in (self.fault, self.names, self.steps, self.lies, self.paper):
             column.addWidget(part)
         column.addWidget(self.figures, 1)
         column.addStretch()
@@ -204,6 +206,8 @@ class CertificatePage(QWidget):
         for part in (self.detail, self.steps, self.paper, self.figures):
             part.setVisible(one is not None)
         self.steps.show_file(one, self._files.values())
+        signed = one is not None and bool(one.standing.signatures)
+        self.lies.show_file(self.tr("The signed file is {0}, in the folder {1}"), one.path if one and signed else "")
         if one is None:
             self.names.show_file(None)
         if one is not None:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TypeVar
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFileDialog, QMenu
 
 from labcal.gui.ipc.answers import CalibrationFile
@@ -18,7 +18,7 @@ from labcal.gui.widgets.common import button
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.folder_dialog import FolderDialog
-from labcal.gui.widgets.open_externally import FolderButton, open_externally
+from labcal.gui.widgets.open_externally import CopyPathButton, FolderButton, open_externally
 from labcal.gui.widgets.printer import Printer
 from labcal.gui.widgets.remark import Remark
 from labcal.gui.widgets.step_card import StepCard
@@ -38,7 +38,7 @@ class Paper(StepCard):
         super().__init__(" ")
         self.name_it(self.tr("4  Hand it out"))
         self._app_state, self._chosen, self._fault = app_state, chosen, fault
-        self.said, self.folder = Remark(), FolderButton()
+        self.said, self.folder, self.copy = Remark(), FolderButton(), CopyPathButton()
         self.printer = Printer(self)
         self.printer.said.connect(self.said.setText)
         self.report = button(
@@ -57,7 +57,7 @@ class Paper(StepCard):
         self.body.insertLayout(0, Flow(self.export, self.report, self.apply, left=True))
         at = self.body.indexOf(self.words) + 1
         self.body.insertWidget(at, self.said)
-        self.body.insertWidget(at + 1, self.folder, 0, Qt.AlignmentFlag.AlignLeft)
+        self.body.insertLayout(at + 1, Flow(self.folder, self.copy, left=True))
         self.button = self.export
 
     def _menu(self) -> QMenu:
@@ -100,10 +100,15 @@ class Paper(StepCard):
 
     def _written(self, out: str) -> str:
         """Say where something was written; what people read is opened."""
-        self.folder.show_folder(out)
+        self._show_where(out)
         if not out.endswith(".xml"):
             open_externally(out)
         return self.tr("Written: {0}").format(out)
+
+    def _show_where(self, written: str) -> None:
+        """Two ways to what was written; none where that is ""."""
+        self.folder.show_folder(written)
+        self.copy.show_path(written)
 
     def _report(self) -> None:
         if (one := self._chosen()) is not None:
@@ -133,7 +138,7 @@ class Paper(StepCard):
             words, name = self.tr("Handed out into {0}:").format(folder), _file_name(one)
 
             def said(_: object) -> str:
-                self.folder.show_folder(folder)
+                self._show_where(folder)
                 self.handed_out.emit(one, str(Path(folder) / f"{name}.json"))
                 return "\n".join([words, *handed_files(Path(folder), name)])
 
@@ -161,7 +166,7 @@ class Paper(StepCard):
             self._fault.show_fault(fault)
 
         self._fault.show_fault(None)
-        self.folder.show_folder("")
+        self._show_where("")
         self._app_state.quick_worker.request(command, lambda said: self.said.setText(words(said)), failed)
 
 

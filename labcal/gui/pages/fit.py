@@ -12,6 +12,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.calibration_rows import NONE
 from labcal.gui.viewmodels.fit_words import OF_WHICH, said_of, set_aside_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
@@ -19,6 +20,7 @@ from labcal.gui.widgets.common import Card, button, label, set_primary, set_stat
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.fit_views import FitViews
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.goes_on_elsewhere import GoesOnElsewhere
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.no_fit import NoFit
@@ -27,7 +29,7 @@ from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("offset k x  nT", "offset k y  nT", "offset k z  nT")
-GAINS = tuple(f"K {a}{b}" for a in "xyz" for b in "xyz")
+GAINS = tuple(f"K {a}{b}  {NONE}" for a in "xyz" for b in "xyz")
 LEAST_ROWS = 8  # of the table are always seen: how good, and where zero is
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
@@ -59,6 +61,8 @@ class FitPage(QWidget):
         self.views.filter_wanted.connect(self._show_growth)
         column.addWidget(self._table_card(), 2)
         column.addWidget(self.views, 3)
+        self.elsewhere = GoesOnElsewhere(app_state)
+        column.addWidget(self.elsewhere)
         self.idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         self._show()

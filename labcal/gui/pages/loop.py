@@ -33,6 +33,7 @@ from labcal.gui.widgets.common import (
 )
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.goes_on_elsewhere import GoesOnElsewhere
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
 from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
@@ -64,6 +65,8 @@ class LoopPage(QWidget):
         column.addWidget(self.to_run, 1, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)
         self.story = self._story()
         column.addWidget(self.story, 1)
+        self.elsewhere = GoesOnElsewhere(app_state)
+        column.addWidget(self.elsewhere)
         self._idle_queue = IdleQueue(self)
         self._study.changed.connect(self._show)
         app_state.path.changed.connect(self._show_uncertainty)

@@ -145,6 +145,7 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "its run did not measure {0}"),
     QT_TRANSLATE_NOOP("Data", "zero, not open"),
     QT_TRANSLATE_NOOP("Data", "{0}: no sample for {1} s."),
+    QT_TRANSLATE_NOOP("Data", "{0}: no answer."),
     QT_TRANSLATE_NOOP("Data", "{0}: the same reading for {1} s."),
     QT_TRANSLATE_NOOP("Data", "{0}: no temperature for {1} s, and it has a limit."),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} is {2} degC, its limit is {3} degC."),

@@ -134,6 +134,7 @@ LAB_FAULTS = (
     QT_TRANSLATE_NOOP("Data", "Let the windings cool, then use less current."),
     QT_TRANSLATE_NOOP("Data", "{0}: it sends again, after {1} s"),
     QT_TRANSLATE_NOOP("Data", "{0}: no sample for {1} s"),
+    QT_TRANSLATE_NOOP("Data", "{0}: no answer"),
     QT_TRANSLATE_NOOP("Data", "{0}: it answers again, {1} s after its loss was noticed"),
     QT_TRANSLATE_NOOP("Data", "{0}; every row is kept by now"),
     QT_TRANSLATE_NOOP("Data", "{0}, kept by the store {1} s later"),

@@ -431,6 +431,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The signed file is {0}, in the folder {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Operator {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1784,6 +1788,10 @@
     </message>
     <message>
         <source>{0}: no sample for {1} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: no answer.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5767,6 +5775,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: it answers again, {1} s after its loss was noticed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6452,6 +6464,10 @@
     <name>LabWatch</name>
     <message>
         <source>the guardian of the last session has it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7652,6 +7668,10 @@ after this step …</source>
     </message>
     <message>
         <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simulated: began anew at its zero</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10220,6 +10240,22 @@ after this step …</source>
     </message>
     <message>
         <source>not looked at at rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>read again in the next step</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being traced: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being fitted: {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

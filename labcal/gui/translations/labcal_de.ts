@@ -431,6 +431,10 @@
         <translation>Eine Kalibrierung wählen, oder oben den Prüfling angeben.</translation>
     </message>
     <message>
+        <source>The signed file is {0}, in the folder {1}</source>
+        <translation>Die signierte Datei ist {0}, im Ordner {1}</translation>
+    </message>
+    <message>
         <source>Operator {0}.</source>
         <translation>Bediener {0}.</translation>
     </message>
@@ -1785,6 +1789,10 @@
     <message>
         <source>{0}: no sample for {1} s.</source>
         <translation>{0}: seit {1} s kein Wert.</translation>
+    </message>
+    <message>
+        <source>{0}: no answer.</source>
+        <translation>{0}: keine Antwort.</translation>
     </message>
     <message>
         <source>{0}: the same reading for {1} s.</source>
@@ -5767,6 +5775,10 @@
         <translation>{0}: seit {1} s kein Messwert</translation>
     </message>
     <message>
+        <source>{0}: no answer</source>
+        <translation>{0}: keine Antwort</translation>
+    </message>
+    <message>
         <source>{0}: it answers again, {1} s after its loss was noticed</source>
         <translation>{0}: antwortet wieder, {1} s nachdem sein Ausfall bemerkt wurde</translation>
     </message>
@@ -6453,6 +6465,10 @@
     <message>
         <source>the guardian of the last session has it</source>
         <translation>beim Wächter der letzten Sitzung</translation>
+    </message>
+    <message>
+        <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
+        <translation>Eine Messung läuft und liest die Geräte selbst; der Prüfling wird in ihrem nächsten Schritt wieder gelesen.</translation>
     </message>
     <message>
         <source>Reading every instrument; nothing is set …</source>
@@ -7654,6 +7670,10 @@ diesem Schritt …</translation>
     <message>
         <source>on</source>
         <translation>an</translation>
+    </message>
+    <message>
+        <source>simulated: began anew at its zero</source>
+        <translation>simuliert: neu begonnen, bei null</translation>
     </message>
     <message>
         <source>stands</source>
@@ -10222,6 +10242,22 @@ diesem Schritt …</translation>
     <message>
         <source>not looked at at rest</source>
         <translation>in Ruhe nicht abgefragt</translation>
+    </message>
+    <message>
+        <source>read again in the next step</source>
+        <translation>im nächsten Schritt wieder gelesen</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>und {0} weitere</translation>
+    </message>
+    <message>
+        <source>Being traced: {0}</source>
+        <translation>Rest wird erklärt: {0}</translation>
+    </message>
+    <message>
+        <source>Being fitted: {0}</source>
+        <translation>Wird gefittet: {0}</translation>
     </message>
 </context>
 <context>

@@ -431,6 +431,10 @@
         <translation>Choisissez un étalonnage, ou indiquez en haut quel DUT.</translation>
     </message>
     <message>
+        <source>The signed file is {0}, in the folder {1}</source>
+        <translation>Le fichier signé est {0}, dans le dossier {1}</translation>
+    </message>
+    <message>
         <source>Operator {0}.</source>
         <translation>Opérateur {0}.</translation>
     </message>
@@ -1785,6 +1789,10 @@
     <message>
         <source>{0}: no sample for {1} s.</source>
         <translation>{0} : aucun échantillon depuis {1} s.</translation>
+    </message>
+    <message>
+        <source>{0}: no answer.</source>
+        <translation>{0} : pas de réponse.</translation>
     </message>
     <message>
         <source>{0}: the same reading for {1} s.</source>
@@ -5767,6 +5775,10 @@
         <translation>{0} : aucun échantillon depuis {1} s</translation>
     </message>
     <message>
+        <source>{0}: no answer</source>
+        <translation>{0} : pas de réponse</translation>
+    </message>
+    <message>
         <source>{0}: it answers again, {1} s after its loss was noticed</source>
         <translation>{0} : répond de nouveau, {1} s après que sa perte a été remarquée</translation>
     </message>
@@ -6453,6 +6465,10 @@
     <message>
         <source>the guardian of the last session has it</source>
         <translation>tenu par le gardien de la dernière session</translation>
+    </message>
+    <message>
+        <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
+        <translation>Une mesure est en cours et lit elle-même les appareils ; le DUT est relu à son étape suivante.</translation>
     </message>
     <message>
         <source>Reading every instrument; nothing is set …</source>
@@ -7654,6 +7670,10 @@ cette étape …</translation>
     <message>
         <source>on</source>
         <translation>actives</translation>
+    </message>
+    <message>
+        <source>simulated: began anew at its zero</source>
+        <translation>simulé : recommencé à zéro</translation>
     </message>
     <message>
         <source>stands</source>
@@ -10222,6 +10242,22 @@ cette étape …</translation>
     <message>
         <source>not looked at at rest</source>
         <translation>pas lu au repos</translation>
+    </message>
+    <message>
+        <source>read again in the next step</source>
+        <translation>relu à l’étape suivante</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>et {0} de plus</translation>
+    </message>
+    <message>
+        <source>Being traced: {0}</source>
+        <translation>Résidu en cours d’explication : {0}</translation>
+    </message>
+    <message>
+        <source>Being fitted: {0}</source>
+        <translation>Ajustement en cours : {0}</translation>
     </message>
 </context>
 <context>

@@ -135,7 +135,7 @@ class AppState(QObject):
         self.settings.setValue("bench", path)
         BenchFile.name = Path(path).name
         stands_on(self.run, facts)
-        self.lab.update(bench=facts.name, simulated=facts.simulated)
+        self.lab.update(bench=facts.name, simulated=facts.simulated, platform_anew=False)
         self.propose_dut()
         self.grow_old()
         self.left.look()
@@ -187,6 +187,8 @@ class AppState(QObject):
         known = lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
         ambient, off = self.kept.ambient_nT(self.facts, self.now_s()), self.kept.off(self.facts, self.now_s())
+        if simulated and lab_heard.began_anew(self.known, known):
+            self.lab.update(platform_anew=True)
         self.take_lab(known if simulated else seconded(known, said, ambient, off))
         if self.off.unconfirmed is not None:
             self.off.look_again()

@@ -19,6 +19,7 @@ SHORT = QT_TRANSLATE_NOOP(
     "By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.",
 )
 CLOSED = "closed-loop"  # as a calibration file has it
+NONE = "1"  # the unit of what has none
 PARAMETERS = ("parameter", "value", "± U", "unit")
 
 
@@ -51,7 +52,7 @@ def short_remark(one: CalibrationFile) -> str:
 def map_rows(one: CalibrationFile) -> list[list[Cell]]:
     """A row for each parameter of the map, k then K row by row."""
     u: tuple[float | None, ...] = one.u or (None,) * 12
-    gain = f"nT/{one.dut.unit}"
+    gain = NONE if one.dut.unit == "nT" else f"nT/{one.dut.unit}"
     rows = [
         _parameter(f"{translated('offset k')} {axis} {in_words(one.k_means)}".rstrip(), value, u[9 + n], "nT")
         for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
@@ -79,7 +80,7 @@ def _figure(figure: Figure) -> list[Cell]:
 def _parameter(name: str, value: float, u: float | None, unit: str) -> list[Cell]:
     decimals = decimals_for(2 * (u or 0.0), value)
     U = "–" if u is None else format_number(2 * u, decimals, signed=False)
-    return [Cell(name), Cell(format_number(value, decimals), right=True), Cell(U, right=True), Cell(unit)]
+    return [Cell(name), Cell(format_number(value, decimals), right=True), Cell(U, right=True), Cell(unit or NONE)]
 
 
 def _budgeted(line: BudgetLine) -> list[Cell]:

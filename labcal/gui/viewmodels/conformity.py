@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.calibration_rows import Cell
+from labcal.gui.viewmodels.calibration_rows import NONE, Cell
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number
 from labcal.uncertainty.conformity import Changes, Judged, ratio_in_words, risk_in_words
 
@@ -56,7 +56,7 @@ def change_rows(found: Changes, *, alike: bool = True) -> list[list[Cell]]:
         numbers = [format_number(value, decimals) for value in (row.found, row.left)]
         moved = Cell(f"▲ {translated('changed')}", state="warning") if row.changed and alike else Cell("")
         right = [Cell(text, right=True) for text in (*numbers, U)]
-        rows.append([Cell(in_words(row.quantity)), *right, Cell(row.unit), Cell(e_n, right=True), moved])
+        rows.append([Cell(in_words(row.quantity)), *right, Cell(row.unit or NONE), Cell(e_n, right=True), moved])
     return rows
 
 

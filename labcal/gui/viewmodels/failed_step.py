@@ -18,6 +18,8 @@ from labcal.record.stream import FAULT, Event, Prompt
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
 BY_SYSTEM = re.compile(r" \([^()]*\)(?=[.;])")  # what the computer says of a line: for who mends it
 LINK = re.compile(r" \([a-z-]+://[^()]*\)")  # where an instrument is plugged in, after its name
+NO_SAMPLE = re.compile(r"no sample for [\d.]+ s")  # how long it was then, beside a list that says how long it is now
+UNHEARD = "no answer"
 FAILED = "failed-"  # before the name of a step, in the key of its question
 AGAIN = "try again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
@@ -28,7 +30,7 @@ THEN = QT_TRANSLATE_NOOP("Words", "Then “{0}”.")
 
 def asked_text(prompt: Prompt) -> str:
     """The words of a question; where an instrument failed what it was, for step and coils stand beside it."""
-    return str(prompt.drawing.get(FAULT, prompt.text))
+    return without_age(str(prompt.drawing.get(FAULT, prompt.text)))
 
 
 def headline(prompt: Prompt) -> str:
@@ -51,7 +53,7 @@ def below(prompt: Prompt, again: str, *, lost: bool = True, first: str = "") -> 
     if not lost:
         return f"{translated(str(THEN)).format(again)} {anew}".strip()
     what, remedy = _plain(str(prompt.drawing[WHAT])), str(prompt.drawing.get(REMEDY, ""))
-    known = in_words(what) if NO_ANSWER in prompt.drawing else ""
+    known = in_words(what) if NO_ANSWER in prompt.drawing and UNHEARD not in what else ""  # the headline says that
     button = translated(str(HERE if AGAIN in remedy.lower() else THEN)).format(again)
     return " ".join(part for part in (known, first, of_this_bench(in_words(remedy)), button, anew) if part)
 
@@ -71,11 +73,16 @@ def ended_by_off(fault: Fault) -> Fault:
 
 def said_of(event: Event, links: Mapping[str, str]) -> str:
     """What has happened, in one line; what to do about it comes with the question, once coils and platform rest."""
-    said = named_links(event.text, links)
+    said = without_age(named_links(event.text, links))
     if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
         return f"{said.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
     return said.partition(". ")[0] if event.kind == FAULT else said
 
 
+def without_age(what: str) -> str:
+    """Since when nobody hears an instrument is said of it in one place, by one clock: in the list of all of them."""
+    return NO_SAMPLE.sub(UNHEARD, what)
+
+
 def _plain(what: str) -> str:
-    return BY_SYSTEM.sub("", what)
+    return without_age(BY_SYSTEM.sub("", what))

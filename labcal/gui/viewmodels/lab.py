@@ -25,6 +25,7 @@ class LabState:
     bench: str = ""
     opening: bool = False  # a bench
     simulated: bool = False
+    platform_anew: bool = False  # a simulated bench began anew: its platform is at its zero, and nothing has turned
     reading: bool = False  # every instrument, because a person asked
     asking: bool = False  # every instrument who it is, likewise
     now: LabNow = NOT_TOLD

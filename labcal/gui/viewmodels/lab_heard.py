@@ -66,6 +66,14 @@ def read(before: state.LabState | None, said: tuple[InstrumentRead, ...]) -> sta
     return replace(after, coils=tuple(coils.values()), instruments=tuple(heard.values()), guardian=None)
 
 
+def began_anew(before: state.LabState | None, after: state.LabState) -> bool:
+    """Whether a platform that stood stands elsewhere, as it is shown: each session of a simulated bench begins anew."""
+    was, now = None if before is None else before.platform, after.platform
+    if was is None or now is None or was.moving or was.angle_deg is None or now.angle_deg is None:
+        return False
+    return round(was.angle_deg) != round(now.angle_deg)
+
+
 def answers(said: tuple[InstrumentRead, ...]) -> dict[str, InstrumentAnswer]:
     """Who said who it is, or why it did not, by name."""
     return {

@@ -101,7 +101,11 @@ class LabWatch(QObject):
         return replace(now, unread_since=self.alone_since) if self.alone_since else now
 
     def read_all(self) -> None:
-        """Everybody, whatever is known of them; a person asked."""
+        """Everybody, whatever is known of them; a person asked. In a run they are told who reads, and when."""
+        if self._lab.state.now.driven:
+            words = self.tr("A run goes on and reads the instruments itself; the DUT is read again in its next step.")
+            self._lab.update(message=words)
+            return
         if not self._lab.state.reading and (bench := self._bench()):
             self._lab.update(reading=True, message=self.tr("Reading every instrument; nothing is set …"))
             self._ask(ReadLab(bench))

@@ -2,7 +2,8 @@
 
 It is the DUT: to look at it takes its port again and again. Opening a serial port resets many a microcontroller, a
 driver's first commands may switch its mode or its stream, and whoever develops it may read it by a program of their
-own. A run asks it who it is before anything is energised; one that was lost is looked at until it is back.
+own. A run asks it who it is before anything is energised; one that was lost is looked at until it is back. At a run's
+question it rests as well: the next step reads it.
 """
 
 from __future__ import annotations
@@ -13,8 +14,11 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import Light
 
 NOT_AT_REST = QT_TRANSLATE_NOOP("Words", "not looked at at rest")
+NEXT_STEP = QT_TRANSLATE_NOOP("Words", "read again in the next step")
 
 
 def not_at_rest(role: str, light: Light, *, driven: bool) -> str:
     """What is added to how an instrument of this role stands; "" where it is looked at, or was heard just now."""
-    return translated(str(NOT_AT_REST)) if role == "dut" and not driven and light == "old" else ""
+    if role != "dut" or light != "old":
+        return ""
+    return translated(str(NEXT_STEP if driven else NOT_AT_REST))

@@ -81,6 +81,10 @@ class StudyViewModel(QObject):
         """What is known of `run`, shown or not; None where it was not studied."""
         return self._kept.get(run)
 
+    def elsewhere(self) -> list[Studied]:
+        """The runs that something is computed of, and that are not shown."""
+        return [one for one in self._kept.values() if one.computes and one is not self.shown]
+
     @property
     def no_fit(self) -> bool:
         """Whether what was tried has come to nothing."""

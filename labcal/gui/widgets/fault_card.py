@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtGui import QPalette
+from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.by_hand import by_hand_words, not_read_words
+from labcal.gui.viewmodels.failed_step import without_age
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
+from labcal.gui.widgets.kept_lines import KeptLines
 from labcal.gui.widgets.whole_card import WholeCard
 
 TITLES = {
@@ -104,6 +106,7 @@ class FaultCard(WholeCard):
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
         for part in (self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said):
             self.body.addWidget(part)
+        self._kept = KeptLines(self.gravest, self.by_hand, self.not_read, self.turning, self.coils)
         self.body.addLayout(row)
         self.body.addWidget(self.details)  # it opens downward: its button stays below the mouse
         self.hide()
@@ -113,6 +116,7 @@ class FaultCard(WholeCard):
         if fault is self.fault:
             return None
         self.fault, self._tells_coils = fault, False
+        self._kept.forget()
         self.say_hands()
         self.coils.hide()
         self.by_hand.hide()
@@ -131,7 +135,7 @@ class FaultCard(WholeCard):
         self.edge, self.width_px = (Card.edge, Card.width_px) if stopped else (FaultCard.edge, FaultCard.width_px)
         self.save.setVisible(not stopped)
         self.check_zero.setVisible(fault.kind == "zero")
-        self.text.setText(in_words(fault.text))
+        self.text.setText(in_words(without_age(fault.text)))
         self.remedy.setText(of_this_bench(in_words(fault.remedy)))
         self.remedy.setVisible(bool(fault.remedy))
         self.meaning.setText(guardian_is(fault.kind, fault.text, fault.remedy))
@@ -142,6 +146,12 @@ class FaultCard(WholeCard):
         self.details.hide()
         QTimer.singleShot(0, self, self._come_into_sight)
         return self.show()  # whole at once: what is folded widens no window
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """At another width they have other lines."""
+        if event.size().width() != event.oldSize().width():
+            self._kept.forget()
+        super().resizeEvent(event)
 
     def _for_others(self, fault: Fault) -> str:
         """What is behind the fold: of what is no technician's business, whose it is."""
@@ -168,6 +178,7 @@ class FaultCard(WholeCard):
         The figures of it stand in the details then. `known`: what was read before that, and
         what to look at first where several are silent.
         """
+        self._kept.keep()
         self.coils.setText(in_words(words))
         self._tells_coils = True
         self.by_hand.setVisible(bool(supplies))
@@ -214,6 +225,7 @@ class FaultCard(WholeCard):
 
     def say_platform(self, words: str) -> None:
         """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
+        self._kept.keep()
         shape, mark = platform_mark(words)
         keep_off = mark in ("warning", "bad")
         for place, shown in ((self.turning, keep_off), (self.platform, not keep_off)):

@@ -14,11 +14,14 @@ from labcal.gui.ipc.answers import Fitted, Growth, Look
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.turns import turns_of
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.plots import DASHED, Loci, apply_theme, legend_above, named_curves, plot
+from labcal.gui.widgets.plot_letters import title_size
+from labcal.gui.widgets.plots import DASHED, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.shell_plot import draw_degrees
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
+from labcal.gui.widgets.turn_loci import TurnLoci
 
 W = TypeVar("W", bound=QWidget)
 FACES = ("loci", "residual", "magnitude", "histogram", "growth", "degrees")  # pictures, by the names of their widgets
@@ -69,9 +72,9 @@ class FitViews(Card):
         return True
 
     @cached_property
-    def loci(self) -> Loci:
+    def loci(self) -> TurnLoci:
         """Directions as read and calibrated."""
-        return self._face(Loci(self._theme, clouds=2))
+        return self._face(TurnLoci(self._theme, clouds=2))
 
     @cached_property
     def residual(self) -> Residuals:
@@ -192,7 +195,8 @@ class FitViews(Card):
             return
         if self.shown() == "loci":
             self.loci.show_field(look.before, 1)
-            self.loci.show_field(np.empty((0, 3)) if said is None or said.after is None else said.after, 0)
+            after = np.empty((0, 3)) if said is None or said.after is None else said.after
+            self.loci.show_turns(after, turns_of(look.segments, look.segment_index))
         elif self.shown() == "magnitude":
             self._draw_magnitude(look, said)
         elif self.shown() == "residual":
@@ -240,5 +244,6 @@ class FitViews(Card):
             gauss = area * np.exp(-0.5 * (x / noise_nT) ** 2) / (noise_nT * np.sqrt(2 * np.pi))
             self.histogram.plot(x, gauss, pen=pg.mkPen(self._theme.text, width=2))
         rms = format_number(float(np.sqrt(np.mean(residual**2))), signed=False)
-        self.histogram.setTitle(self.tr("mean {0} nT, rms {1} nT").format(format_number(float(residual.mean())), rms))
+        words = self.tr("mean {0} nT, rms {1} nT").format(format_number(float(residual.mean())), rms)
+        self.histogram.setTitle(words, size=title_size())
         self.histogram.autoRange()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QPushButton
 
@@ -23,13 +23,24 @@ class NextButton(QPushButton):
         self.setAutoDefault(False)
         self.following = ""
         self._changed_s: float | None = None
+        self._about, self._by_hand = "", False
 
-    def say(self, words: str, following: str) -> None:
-        """What it does from now on: `following`, in its own `words`."""
+    def say(self, words: str, following: str, about: str = "") -> None:
+        """What it does from now on: `following`, in its own `words`; `about`: of the DUT that a person has chosen.
+
+        Whoever has just chosen another one presses it for that one, and is not told that it has changed.
+        """
         self.following = following
+        if about != self._about:
+            self._about, self._by_hand = about, True
+            QTimer.singleShot(0, self, self._chosen)
         if words != self.text():
-            self._changed_s = time.monotonic() if self.text() else None  # nobody presses one that said nothing
+            meant = self._by_hand or not self.text()  # nobody presses one that said nothing
+            self._changed_s = None if meant else time.monotonic()
             self.setText(words)
+
+    def _chosen(self) -> None:
+        self._by_hand = False
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Not taken where the words have just changed."""

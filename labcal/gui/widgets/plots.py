@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Sequence
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QLocale, QRectF, Qt
 from PySide6.QtGui import QColor, QResizeEvent
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QWidget
 
@@ -17,6 +17,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import MINUS, NARROW_SPACE
 from labcal.gui.widgets.deferred_repaint import DeferredRepaint
+from labcal.gui.widgets.plot_letters import LETTERS, fit_letters, title_size
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
@@ -62,9 +63,13 @@ class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
         return *lines, kept
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
-        """As pyqtgraph writes them, in groups of three as everywhere else."""
+        """As pyqtgraph writes them, in groups of three and with the language's decimal mark, as everywhere else."""
+        mark = QLocale().decimalPoint()
         written = (text.partition(".") for text in super().tickStrings(values, scale, spacing))
-        return [(THOUSANDS.sub(NARROW_SPACE, text) + point + rest).replace("-", MINUS) for text, point, rest in written]
+        return [
+            (THOUSANDS.sub(NARROW_SPACE, text) + (point and mark) + rest).replace("-", MINUS)
+            for text, point, rest in written
+        ]
 
     def labelString(self) -> str:
         """The unit, which stands behind two blanks in the name, in brackets."""
@@ -80,6 +85,7 @@ def plot(theme: Theme, bottom: str, left: str) -> pg.PlotWidget:
         widget.getPlotItem().getAxis(side).labelText = translated(text)
     widget.setAccessibleName(translated("Plot: {0} against {1}").format(translated(left), translated(bottom)))
     apply_theme(widget, theme)
+    fit_letters(widget)
     return widget
 
 
@@ -143,6 +149,7 @@ class Traces(QWidget):
         self._curves = [self.plot.plot() for _ in AXES]
         self._names = [pg.TextItem(name, anchor=(0, 0.5)) for name in AXES]
         for name in self._names:
+            name.setFont(LETTERS.font())
             self.plot.addItem(name, ignoreBounds=True)
         for curve in self._curves:
             curve.setDownsampling(auto=True, method="peak")
@@ -170,7 +177,7 @@ class Traces(QWidget):
         view = self.plot.getViewBox()
         view.updateAutoRange()  # else it is that of what was drawn before, and a name may lie outside
         low, high = view.viewRange()[1]
-        least = (high - low) * NAME_PX / max(1.0, view.height())
+        least = (high - low) * LETTERS.scale * NAME_PX / max(1.0, view.height())
         at = spread(rows[-1, 1:], least) if len(rows) else []
         if at and max(at) > high - least / 2:  # no room above: from the top one downwards
             at = [-place for place in spread(-np.minimum(rows[-1, 1:], high - least / 2), least)]
@@ -210,7 +217,7 @@ class Loci(QWidget):
         widget.setRange(xRange=(-1.05, 1.05), yRange=(-1.05, 1.05))
         self.plots.append(widget)
         self._circles.append(widget.plot(np.cos(circle), np.sin(circle)))
-        self._views.append([_lines(widget) for _ in range(self._clouds)])
+        self._views.append([lines(widget) for _ in range(self._clouds)])
         self._row.addWidget(widget)
         self._colour(self._theme)
         return True
@@ -252,12 +259,16 @@ class Loci(QWidget):
     def show_field(self, field_nT: Array, cloud: int = 0, most: int = MAX_POINTS) -> None:
         """Draw fields (n, 3), in the order of time, by their direction; at most `most` of them, evenly taken."""
         self._whole()
-        path = _broken(_directions(field_nT, most))
-        for (right, up), clouds in zip(VIEWS, self._views, strict=True):
-            front, behind = clouds[cloud]
-            x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
-            front.setData(x, np.where(toward, y, np.nan), connect="finite")
-            behind.setData(x, np.where(toward, np.nan, y), connect="finite")
+        set_locus([clouds[cloud] for clouds in self._views], field_nT, most)
+
+
+def set_locus(views: Sequence[tuple[pg.PlotCurveItem, pg.PlotCurveItem]], field_nT: Array, most: int) -> None:
+    """The directions of fields (n, 3) into the lines of each of `VIEWS`: before the sphere, and behind it."""
+    path = _broken(_directions(field_nT, most))
+    for (right, up), (front, behind) in zip(VIEWS, views, strict=True):
+        x, y, toward = path[:, right], path[:, up], path[:, 3 - right - up] >= 0
+        front.setData(x, np.where(toward, y, np.nan), connect="finite")
+        behind.setData(x, np.where(toward, np.nan, y), connect="finite")
 
 
 def with_alpha(colour: str, alpha: int) -> QColor:
@@ -279,7 +290,7 @@ def spread(values: Array, least: float) -> list[float]:
 def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:
     """Write what is drawn above it, (name, colour) each: a word has the colour of what it names, and covers nothing."""
     words = [f'<span style="color: {colour}; font-weight: 600">{name}</span>' for name, colour in named]
-    widget.setTitle(WIDE_GAP.join(words), size="9pt")
+    widget.setTitle(WIDE_GAP.join(words), size=title_size())
 
 
 def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:
@@ -305,7 +316,7 @@ def _broken(path: Array) -> Array:
     return np.insert(path, jumps, np.nan, axis=0)
 
 
-def _lines(widget: pg.PlotWidget) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
+def lines(widget: pg.PlotWidget) -> tuple[pg.PlotCurveItem, pg.PlotCurveItem]:
     """What lies in front of the sphere, and behind it."""
     front, behind = pg.PlotCurveItem(), pg.PlotCurveItem()
     widget.addItem(behind)

@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from labcal.gui.ipc.answers import ShellLeft
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.number_format import short_number
 from labcal.gui.widgets.plots import legend_above
 from labcal.gui.widgets.study_plots import with_alpha
 
@@ -30,7 +31,7 @@ def draw_degrees(widget: pg.PlotWidget, theme: Theme, shells: Sequence[ShellLeft
         ends = np.column_stack([x - 0.45 * wide, x + 0.45 * wide]).ravel()
         pen = pg.mkPen(theme.text, width=2, style=Qt.PenStyle.DotLine)
         widget.plot(ends, np.repeat(shell.noise_nT, 2), connect="pairs", pen=pen)
-        names.append((f"{shell.magnitude_nT / 1000:.3g} µT", colour))
+        names.append((f"{short_number(float(f'{shell.magnitude_nT / 1000:.3g}'))} µT", colour))
     legend_above(widget, names or [(translated("no fields all round at one magnitude: see field-sphere"), theme.muted)])
     widget.getAxis("bottom").setTicks([[(degree, str(degree)) for degree in range(4)]])
     widget.autoRange()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QVBoxLayout, QWidget
 from labcal.gui.theming.theme import Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.drawn_against import against_words
+from labcal.gui.widgets.plot_letters import LETTERS
 from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 from labcal.gui.widgets.plots import with_alpha as with_alpha
 
@@ -86,7 +87,8 @@ class Bars(QWidget):
         self._theme = theme
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        self.plot = plot(theme, "held-out rms  nT", "")
+        self.plot, self._rows = plot(theme, "held-out rms  nT", ""), 0
+        LETTERS.changed.connect(self._fit_height)
         self.plot.getPlotItem().showGrid(x=True, y=False, alpha=0.15)
         self.plot.getPlotItem().getAxis("left").setStyle(tickLength=0)
         column.addWidget(self.plot)
@@ -116,4 +118,11 @@ class Bars(QWidget):
         self.plot.addItem(line)
         self.plot.getAxis("left").setTicks([[(float(at), row[0]) for at, row in zip(y, rows, strict=True)]])
         self.plot.setRange(xRange=(0, 1.05 * top), yRange=(-len(rows) + 0.4, ROOM_ABOVE), padding=0)
-        self.setFixedHeight(round(BAR_PX * (len(rows) + ROOM_ABOVE) + AXIS_PX))
+        line.label.setFont(LETTERS.font())
+        self._rows = len(rows)
+        self._fit_height()
+
+    def _fit_height(self) -> None:
+        """Bars as high as their names."""
+        if self._rows:
+            self.setFixedHeight(round(LETTERS.scale * (BAR_PX * (self._rows + ROOM_ABOVE) + AXIS_PX)))
