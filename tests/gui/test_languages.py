@@ -83,7 +83,7 @@ def test_the_file_that_qt_reads_is_made_of_the_one_that_people_write(path, tmp_p
     assert made.read_bytes() == path.with_suffix(".qm").read_bytes(), "tools/translations.sh"
 
 
-def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_window, restored):
+def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_window, restored, windows):
     shown = Shown(new_window)
     new_window.app_state.set_identity(dut="EM-07")
     new_window.open_page("Bench")
@@ -91,7 +91,7 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
     new_window.app_state.lab.update(message="Scanned EM-07: it is the DUT at the top.")
     new_window.language_switch.click()
     window = shown.window
-    qtbot.addWidget(window)
+    windows.append(window)
     assert window is not new_window
     assert (window.page_shown(), window.top.dut.text()) == ("Bench", "EM-07")
     assert "Prüfling" in {one.text() for one in window.top.findChildren(QLabel)}
@@ -104,7 +104,7 @@ def test_a_click_makes_the_window_anew_in_the_next_language(qapp, qtbot, new_win
         window.top.off.click()
 
 
-def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, qtbot, new_window, restored, monkeypatch):
+def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, new_window, restored, monkeypatch, windows):
     monkeypatch.setattr(reopened, "TOO_SOON_S", 3600.0)
     shown = Shown(new_window)
     shown._since_s = -3600.0 + time.monotonic() - 1
@@ -115,14 +115,14 @@ def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, qtbot
     )
     new_window.language_switch.click()
     window = shown.window
-    qtbot.addWidget(window)
+    windows.append(window)
     assert cursors == [Qt.CursorShape.WaitCursor]
     assert (new_window.language_switch.isEnabled(), qapp.overrideCursor()) == (False, None)
     window.language_switch.click()
     assert (shown.window, window.language_switch.text()) == (window, "Français")
 
 
-def test_how_a_run_ended_is_said_anew_in_the_other_language(qapp, qtbot, new_window, restored):
+def test_how_a_run_ended_is_said_anew_in_the_other_language(qapp, new_window, restored, windows):
     shown, app_state = Shown(new_window), new_window.app_state
     run = app_state.run
     run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
@@ -131,7 +131,7 @@ def test_how_a_run_ended_is_said_anew_in_the_other_language(qapp, qtbot, new_win
     assert app_state.lab.state.message.endswith("stopped by COILS OFF")
     app_state.lab.update(said_at="00:17:08")
     shown.speak("de")
-    qtbot.addWidget(shown.window)
+    windows.append(shown.window)
     assert app_state.lab.state.message.endswith("durch SPULEN AUS gestoppt")
     assert app_state.lab.state.said_at == "00:17:08"  # when it ended, not when it was said anew
     assert shown.window.message.text().endswith("durch SPULEN AUS gestoppt")
@@ -146,12 +146,12 @@ def test_what_qt_s_own_dialogs_say_is_in_the_language_too(qapp, qtbot, restored,
     assert cancel in {button.text().replace("&", "") for button in asks.findChildren(QPushButton)}
 
 
-def test_the_end_of_a_run_is_not_sounded_by_the_window_before(qapp, qtbot, new_window, restored, monkeypatch):
+def test_the_end_of_a_run_is_not_sounded_by_the_window_before(qapp, new_window, restored, monkeypatch, windows):
     played = []
     monkeypatch.setattr(Sounds, "play", lambda sounds, sound: played.append((isValid(sounds), sound)))
     shown, before = Shown(new_window), new_window.page("Run").live
     new_window.language_switch.click()
-    qtbot.addWidget(shown.window)
+    windows.append(shown.window)
     assert shown.window.page("Run").live is not before
     delete(before)
     shown.window.app_state.run.ended.emit("r1", "finished")
@@ -175,7 +175,7 @@ OFTEN = "Run", "Certificate", "History"  # what most is asked from
     "name", [*OFTEN, *(pytest.param(name, marks=pytest.mark.slow) for name in ("Start", "Bench", "Fit", "Loop"))]
 )
 def test_what_a_page_asked_before_the_language_changed_twice_reaches_the_page_that_is_there(
-    qapp, qtbot, new_window, restored, name, monkeypatch
+    qapp, new_window, restored, name, monkeypatch, windows
 ):
     monkeypatch.setattr(reopened, "TOO_SOON_S", 0.0)
     shown, app_state = Shown(new_window), new_window.app_state
@@ -188,7 +188,7 @@ def test_what_a_page_asked_before_the_language_changed_twice_reaches_the_page_th
         shown.window.page(name)
         QApplication.sendPostedEvents(before, QEvent.Type.DeferredDelete)
         assert not isValid(before)
-    qtbot.addWidget(shown.window)
+    windows.append(shown.window)
     for worker in (app_state.quick_worker, app_state.fit_worker):
         for kind, answer in (ANSWERS | {ListProcedures: new_window.procedures}).items():
             worker.answer(kind, answer)

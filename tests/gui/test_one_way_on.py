@@ -164,7 +164,7 @@ def english_again(qapp):
 
 @pytest.mark.slow
 def test_another_language_on_the_fit_page_leaves_one_choice_its_legend_and_the_line_of_the_run(
-    new_window, qtbot, english_again, patience
+    new_window, english_again, patience, windows
 ):
     app_state = new_window.app_state
     new_window.open_page("Fit")
@@ -176,7 +176,7 @@ def test_another_language_on_the_fit_page_leaves_one_choice_its_legend_and_the_l
     app_state.lab.update(message="Run r1: finished")
     shown = Shown(new_window)
     shown.speak("de")
-    qtbot.addWidget(shown.window)
+    windows.append(shown.window)
     lazy_page = shown.window.lazy_pages["Fit"]
     lazy_page.build()  # in pieces, and between them what waits is drawn
     lazy_page.page.idle_queue.finish()
