@@ -48,6 +48,12 @@ def every_state():
         yield LabState(now=now, hands=(words, mark), keep_off=("", "") if mark in MAY else ("✕ HANDS OFF", "bad"))
 
 
+def show(side, lab):
+    """Coils, then hands."""
+    for part in side.parts()[:2]:
+        part.show(lab)
+
+
 def drawn_lines(side):
     """Of each of the four that is in sight, as high as it was laid out."""
     four = [one for one in (side.keep_off, side.may_go_in, side.hands, side.zero_words) if one.isVisible()]
@@ -65,8 +71,7 @@ def test_hands_and_coils_take_seven_lines_at_most_and_the_gravest_reason_is_whol
     new_window.app_state.age_timer.stop()
     found = []
     for lab in every_state():
-        side._show_coils(lab.now)
-        side._show_hands(lab)
+        show(side, lab)
         shown, whole = QLabel.text(side.hands), lab.hands[0]
         gravest = whole.partition(":")[2].strip().partition("; ")[0] or whole
         if (taken := drawn_lines(side)) > 7:
@@ -84,7 +89,6 @@ def test_what_to_do_stays_where_how_it_was_found_goes_into_the_tip(new_window, r
     new_window.resize(1360, 860)
     QApplication.processEvents()
     now = LabNow(coil_words=told, platform_words="platform stands at 69°")
-    side._show_coils(now)
-    side._show_hands(LabState(now=now, hands=hands_of(now), keep_off=("✕ HANDS OFF", "bad")))
+    show(side, LabState(now=now, hands=hands_of(now), keep_off=("✕ HANDS OFF", "bad")))
     assert QLabel.text(side.zero_words) == state.OPEN_THEM
     assert side.zero_words.toolTip() == side.zero_words.text() == f"✕ {told}"

@@ -63,7 +63,7 @@ def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
     rows = {page.table.text(row, 0): page.table.text(row, 1) for row in range(page.table.rowCount())}
     assert rows["frame"] == "known"
     assert " ± " in rows["offset k x  nT"]
-    assert " ± " in rows["K xy"]
+    assert " ± " in rows["K xy  1"]
     assert page.views.against.count() > 5
 
 

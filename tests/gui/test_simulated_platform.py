@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 
 from labcal.bench.coils.state import LabState, PlatformReading, unread
-from labcal.gui.ipc.lab_messages import InstrumentRead
+from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 
 
 def stood(window, angle_deg, *, moving=False):
@@ -19,7 +19,8 @@ def is_read(window, angle_deg):
     said = InstrumentRead(
         "stage", "platform", "", "a stage", None, False, time.monotonic(), angle_deg=angle_deg, moving=False
     )
-    window.app_state._take_read((said,))
+    window.app_state.watch.read_all()
+    window.app_state.watch_worker.answer(ReadLab, (said,))
 
 
 @pytest.mark.parametrize(("was", "now", "said"), [(92.0, 0.0, True), (0.2, 0.0, False)])

@@ -92,7 +92,7 @@ def test_an_instrument_that_dies_in_any_state_is_a_card_with_words_and_a_remedy(
     live = brought.page("Run").live
     end(brought, "failed: ref is silent", SILENT)
     assert live.fault.isVisible()
-    assert (live.fault.text.text(), live.fault.remedy.text()) == ("ref: no answer.", SILENT.remedy)  # how long: the list
+    assert (live.fault.text.text(), live.fault.remedy.text()) == ("ref: no answer.", SILENT.remedy)
     assert not live.prompt.isVisible()
     assert not live.fault.details.isVisible()
     assert ("reference", "fault", "failed") not in brought.app_state.lab.state.now.lights

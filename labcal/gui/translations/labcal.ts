@@ -8403,6 +8403,26 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Copy the path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ Path copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The path of what was just written, to be pasted elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open that run on the page that computes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Show in the file manager what was just written</source>
         <translation type="unfinished"></translation>
     </message>

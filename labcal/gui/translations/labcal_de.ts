@@ -8404,6 +8404,26 @@ diesem Schritt …</translation>
         <translation>Ordner öffnen</translation>
     </message>
     <message>
+        <source>Copy the path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>✓ Path copied</source>
+        <translation>✓ Pfad kopiert</translation>
+    </message>
+    <message>
+        <source>The path of what was just written, to be pasted elsewhere</source>
+        <translation>Der Pfad des eben Geschriebenen, zum Einfügen anderswo</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Open that run on the page that computes it</source>
+        <translation>Diese Messung auf der Seite öffnen, die sie rechnet</translation>
+    </message>
+    <message>
         <source>Show in the file manager what was just written</source>
         <translation>Im Dateimanager zeigen, was eben geschrieben wurde</translation>
     </message>

@@ -8404,6 +8404,26 @@ cette étape …</translation>
         <translation>Ouvrir le dossier</translation>
     </message>
     <message>
+        <source>Copy the path</source>
+        <translation>Copier le chemin</translation>
+    </message>
+    <message>
+        <source>✓ Path copied</source>
+        <translation>✓ Chemin copié</translation>
+    </message>
+    <message>
+        <source>The path of what was just written, to be pasted elsewhere</source>
+        <translation>Le chemin de ce qui vient d’être écrit, à coller ailleurs</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Open that run on the page that computes it</source>
+        <translation>Ouvrir cette mesure à la page qui la calcule</translation>
+    </message>
+    <message>
         <source>Show in the file manager what was just written</source>
         <translation>Montrer dans le gestionnaire ce qui vient d&apos;être écrit</translation>
     </message>

@@ -49,6 +49,7 @@ def fit_letters(widget: Any) -> None:
         axis.label.setFont(font)
         axis.textWidth, axis.textHeight = 30, 18  # as pyqtgraph begins: it grows by what is written
         axis._updateLabel()
+        axis.resizeEvent()  # the name in the middle
     for one in item.items:
         for named in (one, getattr(one, "label", None)):
             if (letters := getattr(named, "setFont", None)) is not None:

@@ -32,6 +32,7 @@ BEFORE_ALPHA = 130  # of 255: what was before lies behind
 DASHED = "┄"  # before the name of a curve that is
 THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")  # places for a blank, before a point
 UNIT = re.compile(r"  (\S+)\s*(?=</span>)")
+UNKEPT = 0.2  # of the height of an axis' name pyqtgraph keeps no room for
 NAME_PX = 14  # between the names of two lines
 _spare_plots: list[pg.PlotWidget] = []  # blank ones, made while nobody waited
 _making: list[Iterator[None]] = [iter(())]  # the one under way
@@ -50,6 +51,18 @@ class Axis(pg.AxisItem):  # type: ignore[misc]  # pyqtgraph states no types
         self.label.setScale(scale := min(1.0, length / needed) if length > 0 else 1.0)
         middle = (length + scale * needed) / 2 if upright else (length - scale * needed) / 2
         (self.label.setY if upright else self.label.setX)(middle)
+        if upright:
+            self.label.setX(scale * self.label.x())  # so far it stands beyond the edge, by less than its own margin
+
+    def _updateHeight(self) -> None:
+        """As high as larger letters of the name need: pyqtgraph keeps no room for a fifth of them."""
+        super()._updateHeight()
+        self.setMinimumHeight(high := self.minimumHeight() + self._larger())
+        self.setMaximumHeight(high)
+
+    def _larger(self) -> float:
+        shown = self.fixedHeight is None and self.isVisible() and self.label is not None and self.label.isVisible()
+        return UNKEPT * float(self.label.boundingRect().height()) * (1 - 1 / LETTERS.scale) if shown else 0.0
 
     def generateDrawSpecs(self, painter: object) -> object:
         """As pyqtgraph has them, without a figure that would lie over another."""
