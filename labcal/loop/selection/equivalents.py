@@ -224,6 +224,11 @@ def within_reach(ranking: Sequence[Scored], chosen: Candidate, inseparable: Coll
     return [own, *(w for w in others if _g_prior_evidence(w) > least or w.candidate.cause in inseparable)]
 
 
+def lead_of(one: Scored, other: Scored) -> float:
+    """How much more evidence one model has than another of unlike size [nats]."""
+    return _g_prior_evidence(one) - _g_prior_evidence(other)
+
+
 def _g_prior_evidence(w: Scored) -> float:
     """Gain less a penalty for comparing models of unlike size [nats].
 

@@ -25,6 +25,7 @@ from labcal.loop.selection.equivalents import (
     done_by_readings,
     equally_likely,
     is_the_same_here,
+    lead_of,
     leads_over_relatives,
     not_worse,
 )
@@ -226,17 +227,22 @@ def prefer_computable(
 
     A channel without a physical mechanism goes last; what extends a cause goes after it. Equivalent is as well what is
     the same here: a few rows between the levels of a load do not make it the load's square, nor do rounded readings of
-    a channel make a drift of what follows it.
+    a channel make a drift of what follows it. What is far likelier goes before the rig, and before what follows time.
     """
     for place, one in enumerate(accepted):
         if not (any(_preference(one)) or one.family.extends):
             continue  # nothing goes before it: what does as well need not be known
         others = [c for c in accepted if c is not one]
-        equals = [w.candidate for w in equally_likely(pool, accepted, one)]
+        own, *rest = equally_likely(pool, accepted, one)
+        ahead = sorted(((lead_of(w, own), w.candidate) for w in rest), key=lambda pair: -pair[0])
+        likelier = [c for nats, c in ahead if nats > policy.POLICY.equivalent_nats and _preference(one)[0]]
+        equals = [w.candidate for w in rest]
         equals += [c for c in best_relatives(pool, others, one) if is_the_same_here(pool, others, one, c)]
         equals += done_by_readings(pool, others, one)
-        before = (c for c in equals if c.cause not in refused and _goes_before(c, one))
-        for other in sorted(before, key=_preference):
+        before = [c for c in equals if _goes_before(c, one)]
+        for other in (*likelier, *sorted(before, key=_preference)):
+            if other.cause in refused:
+                continue
             swapped = [*accepted[:place], refined(pool, other, others), *accepted[place + 1 :]]
             if not_worse(cross_validate(pool, blocks, fixed_choice(swapped), accepted)):
                 accepted = swapped
