@@ -29,6 +29,7 @@ from labcal.loop.selection.equivalents import (
     leads_over_relatives,
     not_worse,
 )
+from labcal.loop.selection.exchanged import exchanged
 from labcal.loop.selection.heldout_rules import first_unsupported, improves, is_sure_first
 from labcal.loop.selection.sets import together
 from labcal.loop.selection.stepwise import MAX_EFFECTS, backward_check, stepwise_forward
@@ -117,6 +118,7 @@ def _select_once(
 ) -> _Round:
     accepted, rankings = stepwise(pool, most, refused, later)
     blocks = blocks or block_folds(pool.problem, correlation_time_s(pool.problem.scene.t_s, pool.residual(accepted)))
+    accepted = exchanged(pool, blocks, accepted, rankings, refused)
     likelier = likelier_forms(pool, likeliest_own_forms(pool, accepted), refused)
     simple = _simplest(pool, blocks, prefer_computable(pool, blocks, likelier, refused))
     kept = _proven_members(pool, blocks, backward_check(pool, list(simple)))
