@@ -27,7 +27,7 @@ KINDS = {
         "candidates.spectral_lines:PEAKS SKIRT BETWEEN",
         "data.checks:OFFSETS_S STEPS_S", "design.discrimination:NEW_ROWS CLEAR", "design.proposal:LISTED AMPLE",
         "selection.crossval:FOLDS BLOCKS CORRELATION_TIMES BLOCK_ROWS DRAWS TWO_BLOCKS INTERVAL_95",
-        "selection.equivalents:MAX_TRIED",
+        "selection.equivalents:MAX_TRIED", "selection.exchanged:MAX_TRIED",
         "selection.heldout_rules:ALTERNATIVES", "selection.pairs:SHORTLIST SCORED_IN_FULL",
         "selection.misfit:MOST_DIRECTIONS", "selection.discrepancy:NEAREST", "selection.select:MAX_ROUNDS OUT_OF_REACH",
         "selection.second_order:MOST_FORMS", "selection.stepwise:MAX_EFFECTS NEARLY_WHITE NEAREST",
