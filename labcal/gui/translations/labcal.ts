@@ -919,6 +919,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils confirmed at zero {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils confirmed at zero {0}, silent since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}, silent since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation type="unfinished"></translation>
     </message>

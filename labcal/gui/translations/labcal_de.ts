@@ -919,6 +919,22 @@
         <translation>Stillstand des Tisches NICHT bestätigt: bei {0}° drehte er, {1}</translation>
     </message>
     <message>
+        <source>coils confirmed at zero {0}</source>
+        <translation>Spulen als null bestätigt {0}</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}</source>
+        <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}</translation>
+    </message>
+    <message>
+        <source>coils confirmed at zero {0}, silent since</source>
+        <translation>Spulen als null bestätigt {0}, seitdem stumm</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}, silent since</source>
+        <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}, seitdem stumm</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>

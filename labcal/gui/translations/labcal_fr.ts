@@ -919,6 +919,22 @@
         <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait, {1}</translation>
     </message>
     <message>
+        <source>coils confirmed at zero {0}</source>
+        <translation>bobines confirmées à zéro {0}</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}</source>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0}</translation>
+    </message>
+    <message>
+        <source>coils confirmed at zero {0}, silent since</source>
+        <translation>bobines confirmées à zéro {0}, muettes depuis</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}, silent since</source>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0}, muettes depuis</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>

@@ -16,6 +16,7 @@ from labcal.gui.ipc.answers import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import GUARDIAN
+from labcal.gui.viewmodels.in_brief import in_brief
 
 Light = Literal["ok", "old", "waiting", "fault", "absent"]
 Lights = tuple[tuple[str, Light, str], ...]  # instrument, light, words
@@ -153,10 +154,11 @@ def lab_now(
     seen_nT, seen_s = _field_seen(lab)
     silent = {one.name for one in lab.instruments if one.fault}
     lost = {roles.get(name, "") for name in silent}
+    coils_lost = any(role.startswith("coil-") for role in lost)
     return LabNow(
         coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
-        coil_words=in_places(lab.sentence(now_s, time.time() - time.monotonic() + now_s)),
+        coil_words=in_places(lab.sentence(now_s, time.time() - time.monotonic() + now_s, lost=coils_lost)),
         coils_late=known and not driven and lab.age_s(now_s) > coils_by_s,
         coils_at_zero=lab.at_zero(now_s),
         alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
@@ -175,7 +177,7 @@ def lab_now(
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
         silent_tellers=tuple(n for n, role in roles.items() if role.startswith(TELLERS) and n in silent),
-        coils_lost=any(role.startswith("coil-") for role in lost),
+        coils_lost=coils_lost,
         platform_lost="platform" in lost,
     )
 
@@ -332,7 +334,7 @@ def platform_drawn(words: str, coil_words: str = "") -> tuple[str, str]:
 def alarm_of(coil_words: str) -> str:
     """Short, where the coils are not at zero though they were to be: nothing goes on as it was planned; else ""."""
     shape, mark = mark_of(coil_words)
-    return f"{shape} {in_words(coil_words.partition(';')[0].partition(':')[0])}" if mark == "bad" else ""
+    return f"{shape} {in_words(in_brief(coil_words))}" if mark == "bad" else ""
 
 
 def old_s(read_s: float | None, now_s: float) -> int | None:

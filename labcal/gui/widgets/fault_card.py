@@ -14,6 +14,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.by_hand import by_hand_words, not_read_words
 from labcal.gui.viewmodels.failed_step import without_age
 from labcal.gui.viewmodels.guardian import guardian_is
+from labcal.gui.viewmodels.in_brief import in_brief
 from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.kept_lines import KeptLines
@@ -185,7 +186,7 @@ class FaultCard(WholeCard):
         self.text.setVisible(not supplies)
         if supplies and self.fault is not None:
             self.by_hand.setText(by_hand_words(supplies))
-            short = in_words(words.partition(";")[0].partition(":")[0])
+            short = in_words(in_brief(words))
             self.coils.setText(f"{short}. {known}" if known else short)
             figures = in_words(words), in_words(self.fault.text)
             said = dict.fromkeys((*figures, self._for_others(self.fault)))
