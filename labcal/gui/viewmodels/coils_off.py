@@ -207,13 +207,25 @@ class CoilsOff(QObject):
         tell = self.tellers() if read and not window.left.objection() else ()  # another process drives it
         return tuple(dict.fromkeys((*wrong(window.known, window.facts), *tell)))
 
-    def look_again(self) -> None:
-        """A doubt that is older than the zero that was read back by now: the reference is asked anew, once."""
+    def look_after(self, before: state.LabState | None) -> None:
+        """The lab was read, and was known so `before`: a doubt may be one no more."""
+        doubted, known = before is not None and before.reference.verdict == "disagrees", self._window.known
+        seen = doubted and known is not None and known.reference.verdict == "agrees"
+        if seen or self.unconfirmed is not None:
+            self.look_again(seen=seen)
+
+    def look_again(self, *, seen: bool = False) -> None:
+        """A doubt that is older than the zero that was read back by now: the reference is asked anew, once.
+
+        `seen`: by what was read just now it is one no more; who keeps the doubt is told by measuring it.
+        """
         window = self._window
         known = window.known
-        if known is None or known.reference.verdict != "disagrees" or not all(coil.zero for coil in known.coils):
+        if known is None or not all(coil.zero for coil in known.coils):
             return
-        if not self._looked and not window.off_worker.busy:
+        if known.reference.verdict != "disagrees" and not seen:
+            return
+        if (seen or not self._looked) and not window.off_worker.busy:
             self._looked = True
             window.off_worker.request(Identify(window.bench), self._looked_again, window.fault.emit)
 

@@ -164,7 +164,8 @@ class KnownLab:
         """What the reference sees [nT, C] more than with the coils off, and when that was read."""
         before = self.state if self.asked and not self.late(facts, now_s) else None  # not read since
         off, seen = self.off(facts, now_s), before or known
-        return self._said.take(more_than_off(seen, facts, off), seen, moved=off is None)
+        more = more_than_off(seen, facts, off, with_current=bool(self._last.words(seen.coils)))
+        return self._said.take(more, seen, moved=off is None)
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
         """The supplies that a person switches off, by name: those that gave no answer, or are on; else all.

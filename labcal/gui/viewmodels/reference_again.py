@@ -51,14 +51,18 @@ def seconded(
     ambient: tuple[state.Vector, float] | None,
     off: Off | None = None,
 ) -> state.LabState:
-    """`known` with what the reference, if it was among those just read, says of a zero; a doubt stands until lifted.
+    """`known` with what the reference, if it was among those just read, says of a zero.
 
+    A doubt stands until the supplies read zero after it and the reference sees that by the same comparison.
     `off`: what it saw with the coils off, however long ago, and the least change of it that tells of a coil.
     """
     seen = next((one for one in said if one.role == "reference" and not one.held), None)
     on = any(coil.current_A is not None and not coil.zero for coil in known.coils)
-    if seen is None or known.reference.verdict == "disagrees" or on:
+    if seen is None or on:
         return known
+    if known.reference.verdict == "disagrees":
+        found = _outdated(known, seen, ambient, off)
+        return known if found is None else replace(known, reference=found)
     zero = all(coil.zero for coil in known.coils)
     if zero and ambient is not None:
         return replace(known, reference=_witness(seen, ambient))
@@ -70,6 +74,18 @@ def seconded(
     if zero:
         return replace(known, reference=_witness(seen, None) if off is None else _by_off(seen, off))
     return replace(known, reference=state.Witness(why=NO_AMBIENT)) if known.reference.why == CHANGED else known
+
+
+def _outdated(
+    known: state.LabState, seen: InstrumentRead, ambient: tuple[state.Vector, float] | None, off: Off | None
+) -> state.Witness | None:
+    """The agreement that is newer than the doubt in `known`; None where there is none, whatever else is seen."""
+    doubted_s = known.reference.read_s
+    after = all(c.zero and c.read_s is not None and (doubted_s is None or c.read_s > doubted_s) for c in known.coils)
+    if not after or not known.coils or (ambient is None and off is None):
+        return None
+    found = _witness(seen, ambient) if ambient is not None or off is None else _by_off(seen, off)
+    return found if found.verdict == "agrees" else None
 
 
 def _by_off(seen: InstrumentRead, off: Off) -> state.Witness:
