@@ -10111,6 +10111,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Still to be read: {0}</source>
         <translation type="unfinished"></translation>
     </message>

@@ -10112,6 +10112,10 @@ diesem Schritt …</translation>
         <translation>SPULEN AUS (F12), dann von Hand ausschalten: {0}</translation>
     </message>
     <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
         <source>Still to be read: {0}</source>
         <translation>Noch zu lesen: {0}</translation>
     </message>

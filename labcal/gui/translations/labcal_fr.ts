@@ -10112,6 +10112,10 @@ cette étape …</translation>
         <translation>BOBINES À ZÉRO (F12), puis couper à la main : {0}</translation>
     </message>
     <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
+    </message>
+    <message>
         <source>Still to be read: {0}</source>
         <translation>Encore à lire : {0}</translation>
     </message>

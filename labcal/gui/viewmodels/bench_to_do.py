@@ -30,7 +30,7 @@ def to_do(app_state: AppState) -> str:
         words = [translated(str(ALONE)), guardian_is(GUARDIAN), *words]
     if alarm := alarm_of(now.coil_words):
         off = app_state.by_hand()
-        words = [f"{alarm}. {by_hand_words(off)}." if off else f"{alarm}.", *words]
+        words = [f"{alarm}. {by_hand_words(off, pressed=bool(app_state.off.pressed))}." if off else f"{alarm}.", *words]
     return " ".join([*words, *filter(None, (now.in_common,))]) if words else ""
 
 

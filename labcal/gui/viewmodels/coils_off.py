@@ -362,7 +362,8 @@ class CoilsOff(QObject):
     def _warning(self, fault: Fault) -> str:
         """For the line below: who is to be switched off now, and whether the platform stands; no age, it would stay."""
         platform = self._window.lab.state.now.platform_words.partition(", read ")[0]
-        return "; ".join(filter(None, (by_hand_words(self._window.by_hand()) or fault.text, platform_said(platform))))
+        by_hand = by_hand_words(self._window.by_hand(), pressed=bool(self.pressed))
+        return "; ".join(filter(None, (by_hand or fault.text, platform_said(platform))))
 
     def warn_anew(self) -> None:
         """The line below speaks of now, as the card does, as long as it says that."""

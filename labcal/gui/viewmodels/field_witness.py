@@ -146,8 +146,8 @@ def still_on(now: LabNow) -> bool:
 
 
 def card_words(now: LabNow) -> str:
-    """The heading of the card over every page in place of "may be on", where that is known; "" else."""
-    return translated(str(CARD)) if still_on(now) else ""
+    """The heading of the card over every page in place of "may be on", where that is known since COILS OFF; "" else."""
+    return translated(str(CARD)) if still_on(now) and not now.field_more_before_off else ""
 
 
 def still_live(now: LabNow) -> str:

@@ -140,7 +140,9 @@ class KnownLab:
         if not driven and facts is not None and facts.virtual_time:
             now = _not_read_on(now)
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:
-            now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
+            old = max(0, int(now_s - more[1]))
+            before = more[1] < self._since_s
+            now = replace(now, field_more_nT=more[0], field_more_old_s=old, field_more_before_off=before)
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run

@@ -96,6 +96,7 @@ class LabNow:
     field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
     field_more_old_s: int = 0
+    field_more_before_off: bool = False  # that was read before zero was ordered
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
     heard_at_s: tuple[tuple[str, float], ...] = ()  # likewise, by the computer's monotonic clock

@@ -47,6 +47,8 @@ def switched_off(
     ends = {one.axis: one for one in said.coils}
     coils = tuple(coil_read(ends[axis]) for axis in AXES if axis in ends)  # by name: what has another is no coil here
     heard = heard_from(before.instruments, said.coils, facts)
+    if said.platform is not None and said.platform.read_s is not None:  # who was seen to stand was heard
+        heard = _heard_at(heard, "platform", said.platform.read_s, facts)
     platform = _stopped(before.platform, said.platform, stood=stood)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
 
@@ -63,6 +65,11 @@ def _stopped(
     if said is not None and said.moving is None and before is not None and before.moving:
         return replace(before, fault=said.fault)
     return said or before
+
+
+def _heard_at(heard: tuple[state.Heard, ...], role: str, at_s: float, facts: Bench | None) -> tuple[state.Heard, ...]:
+    names = [name for name, one in facts.instruments.items() if one.role == role] if facts is not None else []
+    return (*(one for one in heard if one.name not in names), *(state.Heard(name, at_s) for name in names))
 
 
 def heard_from(

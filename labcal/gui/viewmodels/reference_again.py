@@ -58,10 +58,14 @@ def seconded(
     """
     seen = next((one for one in said if one.role == "reference" and not one.held), None)
     on = any(coil.current_A is not None and not coil.zero for coil in known.coils)
-    if seen is None or on:
+    if on:
         return known
+    if seen is None:  # these supplies alone were read
+        before = _just_seen(known, said)
+        found = None if before is None else _agreement(known, before, ambient, off)
+        return known if found is None or known.reference.verdict == "disagrees" else replace(known, reference=found)
     if known.reference.verdict == "disagrees":
-        found = _outdated(known, seen, ambient, off)
+        found = _agreement(known, seen, ambient, off)
         return known if found is None else replace(known, reference=found)
     zero = all(coil.zero for coil in known.coils)
     if zero and ambient is not None:
@@ -73,14 +77,28 @@ def seconded(
             return replace(known, reference=found)
     if zero:
         return replace(known, reference=_witness(seen, None) if off is None else _by_off(seen, off))
-    return replace(known, reference=state.Witness(why=NO_AMBIENT)) if known.reference.why == CHANGED else known
+    why = NO_AMBIENT if off is None else BEFORE_HANDS
+    return replace(known, reference=state.Witness(why=why)) if known.reference.why == CHANGED else known
 
 
-def _outdated(
+def _just_seen(known: state.LabState, said: tuple[InstrumentRead, ...]) -> InstrumentRead | None:
+    """What the reference saw just before these supplies were read: a zero of theirs need not wait for its next look.
+
+    What it saw then may be of a current that flows no more: it may agree, and never disagrees.
+    """
+    field, coils = known.field, [one.read_s for one in said if one.role.startswith("coil-") and one.read_s is not None]
+    if not coils or field.seen_nT is None or field.read_s is None or max(coils) - field.read_s > state.FRESH_S:
+        return None
+    if (known.reference.read_s or 0.0) >= field.read_s:  # it was compared with that
+        return None
+    return InstrumentRead("", "reference", "", read_s=field.read_s, field_nT=field.seen_nT)
+
+
+def _agreement(
     known: state.LabState, seen: InstrumentRead, ambient: tuple[state.Vector, float] | None, off: Off | None
 ) -> state.Witness | None:
-    """The agreement that is newer than the doubt in `known`; None where there is none, whatever else is seen."""
-    doubted_s = known.reference.read_s
+    """That what was `seen` is a zero, newer than any doubt in `known`; None where it is not, whatever else it is."""
+    doubted_s = known.reference.read_s if known.reference.verdict == "disagrees" else None
     after = all(c.zero and c.read_s is not None and (doubted_s is None or c.read_s > doubted_s) for c in known.coils)
     if not after or not known.coils or (ambient is None and off is None):
         return None
