@@ -57,7 +57,5 @@ def test_what_a_yes_rests_on_is_never_counted(new_window, rest, size):
         coil_words=f"{state.BY_WORD}: the reference agreed when it was last looked at, 12 s ago",
         platform_words="platform stands at 69°",
     )
-    for _ in range(2):
-        show(side, LabState(now=now, hands=hands_of(now)))
-        side._in_few_lines()
+    show(side, LabState(now=now, hands=hands_of(now)))
     assert "the reference agreed when it was last looked at, 12 s ago" in QLabel.text(side.hands)

@@ -9895,6 +9895,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -9896,6 +9896,10 @@ diesem Schritt …</translation>
         <translation>„Alles lesen“ fragt wieder.</translation>
     </message>
     <message>
+        <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
+        <translation>sie haben über diese Verbindungen schon geantwortet: stecken ihre Stecker an beiden Enden, und haben sie Strom?</translation>
+    </message>
+    <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
         <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
     </message>

@@ -9896,6 +9896,10 @@ cette étape …</translation>
         <translation>« Tout lire » interroge de nouveau.</translation>
     </message>
     <message>
+        <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
+        <translation>ils ont déjà répondu sur ces liaisons : leurs fiches sont-elles branchées aux deux bouts, et sont-ils alimentés ?</translation>
+    </message>
+    <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
         <translation>Le gardien est perdu. BOBINES À ZÉRO (F12) fonctionne sans lui.</translation>
     </message>

@@ -15,7 +15,7 @@ from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
+from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now, platform_mark
 from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.last_heard import LastHeard
 from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
@@ -146,7 +146,8 @@ class KnownLab:
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run
-            now = replace(now, left_turning=known.platform.moving is True)
+            unseen = platform_mark(now.platform_words)[1] == "bad"
+            now = replace(now, left_turning=known.platform.moving is True, left_unseen=unseen)
         if known is None and (driven or facts is not None):
             now = replace(now, coil_words=state.NOT_YET if driven else state.NOT_READ)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now

@@ -30,7 +30,13 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
 SILENT = QT_TRANSLATE_NOOP("Words", "no answer (plug? power?)")  # nobody can tell which: both are looked at
 LOST = QT_TRANSLATE_NOOP("Words", "no answer (link lost)")
 HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
-UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
+UNHEARD = (
+    "silent",
+    "no reply",
+    "no sample",
+    "nothing came",
+    "no valid Modbus reply",
+)  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
     "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
@@ -89,6 +95,7 @@ class LabNow:
     platform_old_s: int | None = None
     stop_unseen: bool = False  # it was told to stop, and nobody has seen it stand since
     left_turning: bool = False  # so it was read last, and no run of this window stops it
+    left_unseen: bool = False  # likewise, where nobody has seen it stand
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
