@@ -33,6 +33,7 @@ def test_beside_it_next_asks_nobody_again_who_is_silent(real):
     real.open_page("Bench")
     real.app_state.take_lab(lab((None, 0.0, 0.0), PlatformReading(fault="silent"), ("supply_x", "stage")))
     assert real.next.text() == "Next: See to the coils"
+    assert not real.app_state.path.next().presses
 
 
 def test_one_question_for_all_who_are_silent_alike(real):

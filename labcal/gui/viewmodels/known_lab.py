@@ -15,7 +15,7 @@ from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now, platform_mark
+from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S, LabNow, lab_now, platform_mark
 from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.last_heard import LastHeard
 from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
@@ -214,8 +214,11 @@ class KnownLab:
 
 
 def _not_read_on(now: LabNow) -> LabNow:
-    """At rest the reference of a simulated lab is another lab's: how long ago it agreed would grow for ever."""
-    if not now.reference_agreed or (now.reference_old_s or 0) <= WATCHED_S:
+    """At rest the reference of a simulated lab is another lab's: how long ago it agreed would grow for ever.
+
+    As soon as a look at it would be due it is said so: with an age first, hands would read three sentences in 5 s.
+    """
+    if not now.reference_agreed or (now.reference_old_s or 0) <= LOOK_S:
         return now
     alone = now.coil_words.startswith(state.BY_WORD)
     return replace(
