@@ -307,7 +307,8 @@ def watched_age_s(now: LabNow) -> int:
 def _seen_between(now: LabNow) -> bool:
     """Whether the reference has seen the zero between two looks at the coils: it is looked at less often."""
     recent = now.reference_agreed and 0 <= (now.reference_old_s or 0) <= WATCHED_S
-    return recent and now.coil_words.startswith(state.BY_WORD) and not now.driven
+    read_on = now.alone != state.NOT_READ_ON and not now.driven
+    return recent and read_on and now.coil_words.startswith(state.BY_WORD)
 
 
 def off_words(coils: str, platform_words: str, at: str, *, later: bool = False) -> str:
