@@ -7304,6 +7304,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Not yet: what it waits for stands above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>

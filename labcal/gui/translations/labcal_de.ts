@@ -7305,6 +7305,10 @@ diesem Schritt …</translation>
         <translation>Scannen oder tippen</translation>
     </message>
     <message>
+        <source>Not yet: what it waits for stands above.</source>
+        <translation>Noch nicht: worauf es wartet, steht oben.</translation>
+    </message>
+    <message>
         <source>{0}: answers again</source>
         <translation>{0}: antwortet wieder</translation>
     </message>

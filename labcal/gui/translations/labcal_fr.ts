@@ -7305,6 +7305,10 @@ cette étape …</translation>
         <translation>Lisez-le ou tapez-le</translation>
     </message>
     <message>
+        <source>Not yet: what it waits for stands above.</source>
+        <translation>Pas encore : ce qui est attendu est écrit au-dessus.</translation>
+    </message>
+    <message>
         <source>{0}: answers again</source>
         <translation>{0} : répond de nouveau</translation>
     </message>
