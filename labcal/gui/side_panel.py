@@ -108,6 +108,7 @@ class SidePanel(Surface):
     def __init__(self) -> None:
         super().__init__(Qt.Edge.LeftEdge)
         self._why, self._coils_again = "", True  # what of the hands is shown, and whether that speaks of the coils
+        self._may = False  # whether it is a yes
         column = QVBoxLayout(self)
         column.setContentsMargins(MARGIN, 3 * GRID // 2, 0, GRID)
         column.setSpacing(3 * GRID // 2)
@@ -210,6 +211,7 @@ class SidePanel(Surface):
         self.keep_off.setVisible(bool(off))
         coils = as_watched(state.now).coil_words
         said, mark = state.hands
+        self._may = mark in MAY and not off
         answer, _, why = said.partition(":")
         self.may_go_in.setText(answer.strip() if why else said)
         self.may_go_in.setVisible(bool(said) and not off)
@@ -237,7 +239,7 @@ class SidePanel(Surface):
         width = self.width() - 2 * MARGIN
         above = sum(lines(one, one.text(), width) for one in (self.keep_off, self.may_go_in) if not one.isHidden())
         told = "" if self._coils_again else self.zero_words.text()
-        for forms in said_shorter(self._why, told):  # the last one that comes has to do
+        for forms in said_shorter(self._why, told, may=self._may):  # the last one that comes has to do
             if above + sum(lines(one, form, width) for one, form in zip(both, forms, strict=True)) <= MOST_LINES:
                 break
         for one, form, whole in zip(both, forms, (self._why, told), strict=True):

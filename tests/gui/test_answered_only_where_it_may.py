@@ -72,6 +72,18 @@ def test_next_asks_for_no_answer_that_is_barred(running, card, asked, known):
     assert next_of(running) == "Next: See the run"
 
 
+def test_how_it_is_answered_is_not_said_above_a_button_that_may_not_be_pressed(running, card):
+    send(running, READY)
+    says(running, platform=stands())
+    alive(card)
+    usual = card.hint.text()
+    assert usual
+    says(running, platform=stands(), faulty=("dut",))
+    assert card.hint.text() == "Not yet: what it waits for stands above."
+    says(running, platform=stands())
+    assert card.hint.text() == usual
+
+
 def test_nothing_is_scanned_or_typed_into_a_question_whose_answer_is_barred(running, card, qtbot):
     send(running, SERIAL)
     says(running, (0.0, 0.0, 0.4), platform=stands())

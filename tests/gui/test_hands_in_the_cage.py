@@ -138,7 +138,7 @@ def test_one_supply_that_is_lost_is_named_alone_while_the_others_are_on_their_wa
     running.app_state.off.order()
     assert running.app_state.by_hand() == ("supply_z",)
     later(ANSWERS_S + 1.0)
-    assert running.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
+    assert running.fault.by_hand.text() == "Switch off by hand: supply_z"
     assert "common line" not in running.side.legend.text() + running.fault.coils.text()
     later(LOST_FIRST_S)
     assert running.app_state.by_hand() == ("supply_x", "supply_y", "supply_z")  # they have not answered at all
@@ -163,7 +163,7 @@ def test_but_what_a_run_that_broke_off_read_may_be_on_since(running, later):
 def test_a_doubt_that_names_its_supply_sends_nobody_to_the_others(still):
     still.app_state.off.order()
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(zeros(), "it sees 20 000 nT, 0 nT expected", ADVICE))
-    assert still.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
+    assert still.fault.by_hand.text() == "Switch off by hand: supply_z"
 
 
 def test_a_run_that_has_its_coils_at_zero_is_left_to_stop_the_platform_and_to_ask_the_reference(running):

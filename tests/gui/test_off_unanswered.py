@@ -14,7 +14,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels import app_state as module
 from labcal.gui.viewmodels.known_lab import ANSWERS_S
 
-ALL = "COILS OFF (F12), then switch off by hand: supply_x, supply_y, supply_z"
+ALL = "Switch off by hand: supply_x, supply_y, supply_z"
 DOUBT = "it sees 20567 1260 12860 nT, 20366 1132 -43695 nT expected: 98.90 µT apart, 2.00 µT allowed"
 ADVICE = "It is as if +1.10 A flowed in coil z: open the output of supply_z at its panel, or switch it off at its mains"
 
@@ -89,7 +89,7 @@ def test_in_a_run_who_was_read_back_is_not_named(qtbot, still, later):
     later(0.1)
     told(still, (0.0, 0.0, 1.0), age_s=-0.1)
     later(3.5)
-    assert still.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
+    assert still.fault.by_hand.text() == "Switch off by hand: supply_z"
     told(still, age_s=-3.6)
     assert not still.fault.isVisible()  # the reference agrees: it is over
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", Fault("stopped", "stopped by the operator")))
@@ -103,7 +103,7 @@ def test_the_supply_is_named_as_long_as_it_is_true_and_figures_are_a_click_deepe
     raw = "tcp://127.0.0.1:9: no reply in 1.5 s, nothing came."
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends(z=raw)))
     card = still.fault
-    assert card.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
+    assert card.by_hand.text() == "Switch off by hand: supply_z"
     assert card.by_hand.objectName() == "ask"
     assert card.coils.text().startswith("coils NOT confirmed at zero. COILS OFF was pressed at ")
     assert card.text.isHidden()
@@ -113,7 +113,7 @@ def test_the_supply_is_named_as_long_as_it_is_true_and_figures_are_a_click_deepe
     assert card.by_hand.isVisible()
     assert card.heading.text() == "✕ HANDS OFF: the coils may be on"
     later(60.0)
-    assert card.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_z"
+    assert card.by_hand.text() == "Switch off by hand: supply_z"
     still.app_state.watch.look()
     now = module.time.monotonic()
     three = tuple(

@@ -20,7 +20,7 @@ from labcal.record.stream import FAULT, Event, SegmentOpened, Step
 def test_coils_off_is_said_to_be_done_once_and_its_sentence_gets_its_end(real, monkeypatch):
     app_state, clock = real.app_state, iter(f"13:59:{second}" for second in range(13, 60))
     monkeypatch.setattr(app_state, "facts", replace(app_state.facts, virtual_time=False))
-    app_state.take_lab(lab(platform=stands()))
+    app_state.take_lab(lab(platform=stands(age_s=2.0)))
     app_state.off.order()
     monkeypatch.setattr(time, "strftime", lambda *_: next(clock))
     ends = tuple(CoilEnd(axis, 0.0, "zero, open", True, time.monotonic()) for axis in "xyz")

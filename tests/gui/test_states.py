@@ -115,7 +115,7 @@ def test_coils_that_cannot_be_confirmed_are_said_to_be_so(still):
     failed(Fault("instrument", "supply_x does not answer."))
     assert still.app_state.lab.state.now.coils_at_zero is False
     assert still.side.zero_words.text() == "✕ coils NOT confirmed at zero"
-    assert still.fault.by_hand.text() == "COILS OFF (F12), then switch off by hand: supply_x, supply_y, supply_z"
+    assert still.fault.by_hand.text() == "Switch off by hand: supply_x, supply_y, supply_z"
     assert "at its mains switch" in still.fault.remedy.text()
     assert still.fault.isVisible()
 

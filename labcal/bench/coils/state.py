@@ -23,6 +23,8 @@ BY_BOTH = "coils at zero, by their supplies and by the field"  # AT_ZERO, likewi
 NOT_CONFIRMED = "coils NOT confirmed at zero"
 WAS_ZERO = "coils confirmed at zero"  # when it was read, and the reference agreed then
 WAS_ZERO_BY_WORD = "coils read back at zero by the supply's word"
+NOT_WATCHED = "; not watched since"
+LOST_SINCE = ", silent since"  # of supplies: it goes with the zero however short that is put
 NOT_BY_REFERENCE = "NOT at zero by the reference"
 NOT_READ = "coils not read back in this session"
 NOT_YET = "coils may be on: a run goes on, and nothing was read yet"
@@ -172,10 +174,11 @@ class LabState:
         """What may be said of the platform at `now_s`; "" where none with a motor was read."""
         return "" if self.platform is None else self.platform.sentence(now_s)
 
-    def sentence(self, now_s: float, clock_s: float | None = None) -> str:
+    def sentence(self, now_s: float, clock_s: float | None = None, *, lost: bool = False) -> str:
         """What may be said of the coils at `now_s`, and no more than was read back.
 
         `clock_s`: what the clock on the wall (POSIX seconds) shows then, where what is past is to be said by it.
+        `lost`: a supply gives no answer any more; a zero is past then, however short ago it was read.
         """
         contradicted = f"{NOT_BY_REFERENCE}: {self.reference.words}. {self.reference.advice}"
         unread = [coil for coil in self.coils if coil.current_A is None]
@@ -189,8 +192,8 @@ class LabState:
         if flowing := [coil for coil in self.coils if not coil.zero]:
             said = ", ".join(f"{coil.axis} {coil.current_A:+.4f} A" for coil in flowing)
             return f"coils on: {said}" + ("" if age_s <= FRESH_S else f", read back {ago(age_s)}")
-        if age_s > FRESH_S:
-            return self._was_zero(age_s, clock_s)
+        if age_s > FRESH_S or lost:
+            return self._was_zero(age_s, clock_s, LOST_SINCE if lost else NOT_WATCHED)
         return AT_ZERO if self._seconded(now_s) else f"{BY_WORD}: {self.why_alone(now_s)}"
 
     def at_zero(self, now_s: float) -> bool | None:
@@ -227,7 +230,7 @@ class LabState:
         del plain["field"], plain["platform"]
         return plain
 
-    def _was_zero(self, age_s: float, clock_s: float | None) -> str:
+    def _was_zero(self, age_s: float, clock_s: float | None, since: str) -> str:
         """That they were at zero, by whose word, and when; nobody has looked since."""
         read_s = min(coil.read_s for coil in self.coils if coil.read_s is not None)
         seen_s = self.reference.read_s
@@ -235,7 +238,7 @@ class LabState:
         when = ago(age_s)
         if clock_s is not None:
             when = f"at {datetime.fromtimestamp(clock_s - age_s):%H:%M:%S} ({when})"
-        return f"{WAS_ZERO if agreed else WAS_ZERO_BY_WORD} {when}; not watched since"
+        return f"{WAS_ZERO if agreed else WAS_ZERO_BY_WORD} {when}{since}"
 
     def _seconded(self, now_s: float) -> bool:
         seen_s = self.reference.read_s

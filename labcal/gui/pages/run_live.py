@@ -361,7 +361,7 @@ class Live(QWidget):
         """How the coils are after a run that failed."""
         words, now = in_words(self._app_state.coil_words()), self._app_state.lab.state.now
         words = f"{words}. {now.in_common}" if now.in_common else words
-        off = by_hand_words(self._app_state.by_hand())
+        off = by_hand_words(self._app_state.by_hand(), pressed=bool(self._app_state.off.pressed))
         return f"{words}. {off}." if off and now.coils_at_zero is False else words
 
     def _ask(self) -> None:

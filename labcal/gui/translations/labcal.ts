@@ -919,6 +919,22 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>coils confirmed at zero {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils confirmed at zero {0}, silent since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}, silent since</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7288,6 +7304,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Not yet: what it waits for stands above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: answers again</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9879,6 +9899,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10092,6 +10116,10 @@ after this step …</source>
     </message>
     <message>
         <source>COILS OFF (F12), then switch off by hand: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -919,6 +919,22 @@
         <translation>Stillstand des Tisches NICHT bestätigt: bei {0}° drehte er, {1}</translation>
     </message>
     <message>
+        <source>coils confirmed at zero {0}</source>
+        <translation>Spulen als null bestätigt {0}</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}</source>
+        <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}</translation>
+    </message>
+    <message>
+        <source>coils confirmed at zero {0}, silent since</source>
+        <translation>Spulen als null bestätigt {0}, seitdem stumm</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}, silent since</source>
+        <translation>Spulen nach Aussage der Netzgeräte bei Null gelesen {0}, seitdem stumm</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>Warten auf einen Wächter, der den Befehl der Null annimmt …</translation>
     </message>
@@ -7289,6 +7305,10 @@ diesem Schritt …</translation>
         <translation>Scannen oder tippen</translation>
     </message>
     <message>
+        <source>Not yet: what it waits for stands above.</source>
+        <translation>Noch nicht: worauf es wartet, steht oben.</translation>
+    </message>
+    <message>
         <source>{0}: answers again</source>
         <translation>{0}: antwortet wieder</translation>
     </message>
@@ -9880,6 +9900,10 @@ diesem Schritt …</translation>
         <translation>„Alles lesen“ fragt wieder.</translation>
     </message>
     <message>
+        <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
+        <translation>sie haben über diese Verbindungen schon geantwortet: stecken ihre Stecker an beiden Enden, und haben sie Strom?</translation>
+    </message>
+    <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
         <translation>Der Wächter ist verloren. SPULEN AUS (F12) wirkt ohne ihn.</translation>
     </message>
@@ -10094,6 +10118,10 @@ diesem Schritt …</translation>
     <message>
         <source>COILS OFF (F12), then switch off by hand: {0}</source>
         <translation>SPULEN AUS (F12), dann von Hand ausschalten: {0}</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Von Hand ausschalten: {0}</translation>
     </message>
     <message>
         <source>Still to be read: {0}</source>

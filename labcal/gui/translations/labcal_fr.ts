@@ -919,6 +919,22 @@
         <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait, {1}</translation>
     </message>
     <message>
+        <source>coils confirmed at zero {0}</source>
+        <translation>bobines confirmées à zéro {0}</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}</source>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0}</translation>
+    </message>
+    <message>
+        <source>coils confirmed at zero {0}, silent since</source>
+        <translation>bobines confirmées à zéro {0}, muettes depuis</translation>
+    </message>
+    <message>
+        <source>coils read back at zero by the supply&apos;s word {0}, silent since</source>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0}, muettes depuis</translation>
+    </message>
+    <message>
         <source>waiting for a guardian that takes the order of zero …</source>
         <translation>En attente d&apos;un gardien qui prenne l&apos;ordre de mise à zéro …</translation>
     </message>
@@ -7289,6 +7305,10 @@ cette étape …</translation>
         <translation>Lisez-le ou tapez-le</translation>
     </message>
     <message>
+        <source>Not yet: what it waits for stands above.</source>
+        <translation>Pas encore : ce qui est attendu est écrit au-dessus.</translation>
+    </message>
+    <message>
         <source>{0}: answers again</source>
         <translation>{0} : répond de nouveau</translation>
     </message>
@@ -9880,6 +9900,10 @@ cette étape …</translation>
         <translation>« Tout lire » interroge de nouveau.</translation>
     </message>
     <message>
+        <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
+        <translation>ils ont déjà répondu sur ces liaisons : leurs fiches sont-elles branchées aux deux bouts, et sont-ils alimentés ?</translation>
+    </message>
+    <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
         <translation>Le gardien est perdu. BOBINES À ZÉRO (F12) fonctionne sans lui.</translation>
     </message>
@@ -10094,6 +10118,10 @@ cette étape …</translation>
     <message>
         <source>COILS OFF (F12), then switch off by hand: {0}</source>
         <translation>BOBINES À ZÉRO (F12), puis couper à la main : {0}</translation>
+    </message>
+    <message>
+        <source>Switch off by hand: {0}</source>
+        <translation>Couper à la main : {0}</translation>
     </message>
     <message>
         <source>Still to be read: {0}</source>

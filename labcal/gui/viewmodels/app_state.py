@@ -184,14 +184,13 @@ class AppState(QObject):
     def _take_read(self, said: tuple[InstrumentRead, ...]) -> None:
         self.answered |= lab_heard.plug_or_power(lab_heard.answers(said), self.kept.heard)
         self.named_serials.take(self.answered)
-        known = lab_heard.read(self.known, said)
+        before, known = self.known, lab_heard.read(self.known, said)
         simulated = self.facts is None or self.facts.virtual_time  # each reading of one is of another lab
         ambient, off = self.kept.ambient_nT(self.facts, self.now_s()), self.kept.off(self.facts, self.now_s())
-        if simulated and lab_heard.began_anew(self.known, known):
+        if simulated and lab_heard.began_anew(before, known):
             self.lab.update(platform_anew=True)
         self.take_lab(known if simulated else seconded(known, said, ambient, off))
-        if self.off.unconfirmed is not None:
-            self.off.look_again()
+        self.off.look_after(before)
 
     def _may_be_read(self) -> str:
         """The bench, where nobody but this window has to do with it now; "" else."""

@@ -10,6 +10,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import age_words
 
 BY_HAND = QT_TRANSLATE_NOOP("Words", "COILS OFF (F12), then switch off by hand: {0}")
+NOW_BY_HAND = QT_TRANSLATE_NOOP("Words", "Switch off by hand: {0}")
 NOT_READ = QT_TRANSLATE_NOOP("Words", "Still to be read: {0}")
 
 LAST_READ = QT_TRANSLATE_NOOP("Words", "{0} (last read {1})")
@@ -26,9 +27,9 @@ def pressed_words(at: str) -> str:
     return translated(str(PRESSED)).format(at) if at else ""
 
 
-def by_hand_words(supplies: Sequence[str]) -> str:
-    """What a person does about these `supplies`; "" of none."""
-    return translated(str(BY_HAND)).format(", ".join(supplies)) if supplies else ""
+def by_hand_words(supplies: Sequence[str], *, pressed: bool = False) -> str:
+    """What a person does about these `supplies`; "" of none. `pressed`: COILS OFF was, and is not ordered again."""
+    return translated(str(NOW_BY_HAND if pressed else BY_HAND)).format(", ".join(supplies)) if supplies else ""
 
 
 def not_read_words(supplies: Sequence[str]) -> str:

@@ -29,6 +29,7 @@ from labcal.gui.viewmodels.lab_off import how_it_ended, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.stood_before import StoodBefore
 
 OFF_WAITS_MS = 4000  # a run has this long to bring the coils to zero itself
 STANDS_S = 30.0  # and where they are there this long to end: a large platform comes to rest, the reference is asked
@@ -93,6 +94,7 @@ class CoilsOff(QObject):
         self.warned = ""  # what the line below says of it
         self._ordered_s, self._looked = 0.0, False
         self._stop_due_s = 0.0  # a platform that is read to turn after that is told again to stop
+        self._stood = StoodBefore()
         self._report: tuple[str, str, str] | None = None  # coils, time and all of it, where the platform is to come
         self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
@@ -120,6 +122,7 @@ class CoilsOff(QObject):
             return None
         if self._window.kept.reached_zero() and time.monotonic() - self._ordered_s < STANDS_S:
             return self.force_timer.start()
+        self._stood.run_over(time.monotonic())
         self._window.bench_worker.kill()
         return self.switch_off()
 
@@ -127,6 +130,9 @@ class CoilsOff(QObject):
         """By another worker. `read_back`: by a run that has ended in order, what was at zero then is not missed."""
         window, self._off_s = self._window, time.monotonic()
         self._stop_due_s, self._report = self._off_s + STOPS_S, None
+        platform, now = None if window.known is None else window.known.platform, window.lab.state.now
+        turned = window.run.alive or now.driven_elsewhere or now.platform_lost
+        self._stood.ordered(platform, self._off_s, may_be_turned=turned)
         window.kept.order(window.now_s(), asked=True, read_back=read_back)
         window.lab.update(message=self.tr("Coils off: reading them back …"))
         window.grow_old()
@@ -141,14 +147,18 @@ class CoilsOff(QObject):
         zero = all(axis.ok for axis in said.coils)
         window.kept.answered()
         self.earlier.take(said.earlier)
-        window.take_lab(switched_off(window.known or state.LabState(()), said, window.facts))
+        before = window.known or state.LabState(())
+        window.take_lab(switched_off(before, said, window.facts, stood=self._stood.holds))
         if said.doubt or not zero:
             self.warn(Fault("coils", words))
         else:
             old = platform_mark(window.lab.state.now.platform_words)[1] == "old"  # of before it was told to stop
             later = old or (said.platform is not None and said.platform.fault == NOT_YET)  # it is looked at again
             at = time.strftime("%H:%M:%S")
-            report = off_words(words, window.lab.state.now.platform_words, at, later=later)
+            stands = (
+                "" if later and self._stood.holds else window.lab.state.now.platform_words
+            )  # nobody has looked since
+            report = off_words(words, stands, at, later=later and not self._stood.holds)
             self._report = (words, at, report) if later else None
             window.lab.update(message=report)
             window.grow_old()  # what the line says holds for hands at the same moment
@@ -172,7 +182,10 @@ class CoilsOff(QObject):
         """The lab, with a platform that was told to stop and was not seen to stand since: the line below says so; and
         with who is being asked.
         """
-        run, lab, to_be_seen = self._window.run, self._window.lab.state, self._report is not None
+        run, lab = self._window.run, self._window.lab.state
+        to_be_seen = (
+            self._report is not None and not self._stood.holds and platform_mark(now.platform_words)[1] != "good"
+        )
         asked = being_asked(now) if lab.reading or lab.asking or run.state == "starting" else now
         return replace(self.earlier.seen_in(asked), stop_unseen=to_be_seen and not run.alive)
 
@@ -194,13 +207,25 @@ class CoilsOff(QObject):
         tell = self.tellers() if read and not window.left.objection() else ()  # another process drives it
         return tuple(dict.fromkeys((*wrong(window.known, window.facts), *tell)))
 
-    def look_again(self) -> None:
-        """A doubt that is older than the zero that was read back by now: the reference is asked anew, once."""
+    def look_after(self, before: state.LabState | None) -> None:
+        """The lab was read, and was known so `before`: a doubt may be one no more."""
+        doubted, known = before is not None and before.reference.verdict == "disagrees", self._window.known
+        seen = doubted and known is not None and known.reference.verdict == "agrees"
+        if seen or self.unconfirmed is not None:
+            self.look_again(seen=seen)
+
+    def look_again(self, *, seen: bool = False) -> None:
+        """A doubt that is older than the zero that was read back by now: the reference is asked anew, once.
+
+        `seen`: by what was read just now it is one no more; who keeps the doubt is told by measuring it.
+        """
         window = self._window
         known = window.known
-        if known is None or known.reference.verdict != "disagrees" or not all(coil.zero for coil in known.coils):
+        if known is None or not all(coil.zero for coil in known.coils):
             return
-        if not self._looked and not window.off_worker.busy:
+        if known.reference.verdict != "disagrees" and not seen:
+            return
+        if (seen or not self._looked) and not window.off_worker.busy:
             self._looked = True
             window.off_worker.request(Identify(window.bench), self._looked_again, window.fault.emit)
 
@@ -276,6 +301,7 @@ class CoilsOff(QObject):
     def run_ended(self) -> None:
         """A run whose platform nobody has seen to stand since: it is told to stop as soon as its line answers."""
         run, known, facts = self._window.run, self._window.known, self._window.facts
+        self._stood.run_over(time.monotonic())
         fault = named_before(run.fault, self._window.kept.heard)
         if fault is not run.fault:
             run.fault = fault
@@ -336,7 +362,8 @@ class CoilsOff(QObject):
     def _warning(self, fault: Fault) -> str:
         """For the line below: who is to be switched off now, and whether the platform stands; no age, it would stay."""
         platform = self._window.lab.state.now.platform_words.partition(", read ")[0]
-        return "; ".join(filter(None, (by_hand_words(self._window.by_hand()) or fault.text, platform_said(platform))))
+        by_hand = by_hand_words(self._window.by_hand(), pressed=bool(self.pressed))
+        return "; ".join(filter(None, (by_hand or fault.text, platform_said(platform))))
 
     def warn_anew(self) -> None:
         """The line below speaks of now, as the card does, as long as it says that."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from PySide6.QtCore import QT_TRANSLATE_NOOP
@@ -13,7 +13,7 @@ from labcal.bench.coils.before_hands import BeforeHands, least_that_matters_nT
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.lab_now import LabNow, age_words, alarm_of, platform_mark
+from labcal.gui.viewmodels.lab_now import LabNow, age_words, alarm_of, platform_mark, reference_U
 
 SEES_MORE = QT_TRANSLATE_NOOP("Words", "the reference sees {0} µT along {1} more than with the coils off")
 STILL_ON = QT_TRANSLATE_NOOP("Words", "the field says: still on ({1}, {0} µT more than with the coils off, {2})")
@@ -26,18 +26,27 @@ class Off:
     """What the reference sees [nT, C] with the coils off, and the least change of it that tells of a coil.
 
     `limit_nT`: so far off a zero is seen all the same, whoever mounted meanwhile; None where a coil could hide in that.
+    `beside_silent_nT`: the least change that tells of a supply that fell silent with its current.
     """
 
     field_nT: state.Vector
     least_nT: float
     limit_nT: float | None = None
+    beside_silent_nT: float | None = None
 
 
 def off_as_measured(field_nT: state.Vector, facts: Bench, measured_s: float, now_s: float) -> Off:
     """By the rule of `BeforeHands`, for what was measured at `measured_s`."""
     before = BeforeHands(np.array(field_nT), measured_s)
     hides = before.most_hidden_nT(LIMIT_NT, now_s) >= _matters_nT(facts)
-    return Off(field_nT, least_seen_nT(facts, measured_s, now_s), None if hides else before.limit_nT(LIMIT_NT, now_s))
+    limit_nT = None if hides else before.limit_nT(LIMIT_NT, now_s)
+    return Off(field_nT, least_seen_nT(facts, measured_s, now_s), limit_nT, _beside_silent_nT(facts, before, now_s))
+
+
+def _beside_silent_nT(facts: Bench, before: BeforeHands, now_s: float) -> float:
+    """What the reference may be off (k = 2) and a place wanders, and what a person who went to the plug has on them."""
+    own_nT = reference_U(facts, tuple(before.field_nT.tolist()))
+    return before.most_hidden_nT(LIMIT_NT if own_nT is None else own_nT, now_s)
 
 
 def least_seen_nT(facts: Bench, measured_s: float, now_s: float) -> float:
@@ -50,10 +59,17 @@ def _matters_nT(facts: Bench) -> float:
     return least_that_matters_nT(np.array(cage.matrix), np.array(cage.limit_A, dtype=float), OF_FIELD)
 
 
-def more_than_off(known: state.LabState, facts: Bench | None, off: Off | None) -> tuple[state.Vector, float] | None:
-    """What the reference sees [nT, C] beyond the ambient field, and when, where a coil is on that nobody owns to."""
+def more_than_off(
+    known: state.LabState, facts: Bench | None, off: Off | None, *, with_current: bool = False
+) -> tuple[state.Vector, float] | None:
+    """What the reference sees [nT, C] beyond the ambient field, and when, where a coil is on that nobody owns to.
+
+    `with_current`: a supply fell silent with one, which explains a change that would else be laid to what is magnetic.
+    """
     if facts is None:
         return None
+    if off is not None and with_current and off.beside_silent_nT is not None:
+        off = replace(off, least_nT=min(off.least_nT, off.beside_silent_nT))
     return _judged(known, facts) or (None if off is None else _beside_the_silent(known, facts, off))
 
 
@@ -130,8 +146,8 @@ def still_on(now: LabNow) -> bool:
 
 
 def card_words(now: LabNow) -> str:
-    """The heading of the card over every page in place of "may be on", where that is known; "" else."""
-    return translated(str(CARD)) if still_on(now) else ""
+    """The heading of the card over every page in place of "may be on", where that is known since COILS OFF; "" else."""
+    return translated(str(CARD)) if still_on(now) and not now.field_more_before_off else ""
 
 
 def still_live(now: LabNow) -> str:

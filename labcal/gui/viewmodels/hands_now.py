@@ -9,6 +9,7 @@ from labcal.bench.coils.agreement import CHANGED
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import field_says
+from labcal.gui.viewmodels.in_brief import in_brief
 from labcal.gui.viewmodels.lab_now import (
     LOOK_S,
     OFF,
@@ -68,7 +69,7 @@ def _of_coils(coil_words: str) -> str:
     """The currents; of the rest what it is, without the figures."""
     if coil_words.startswith(state.ON):
         return in_words(coil_words.partition(", read back ")[0])
-    return in_words(coil_words.partition(";")[0].partition(":")[0])
+    return in_words(in_brief(coil_words))
 
 
 def left_words(now: LabNow) -> str:

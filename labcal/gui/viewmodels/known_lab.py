@@ -15,7 +15,7 @@ from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
 from labcal.gui.viewmodels.in_common import in_common
-from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow, lab_now
+from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S, LabNow, lab_now, platform_mark
 from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.last_heard import LastHeard
 from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
@@ -140,11 +140,14 @@ class KnownLab:
         if not driven and facts is not None and facts.virtual_time:
             now = _not_read_on(now)
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:
-            now = replace(now, field_more_nT=more[0], field_more_old_s=max(0, int(now_s - more[1])))
+            old = max(0, int(now_s - more[1]))
+            before = more[1] < self._since_s
+            now = replace(now, field_more_nT=more[0], field_more_old_s=old, field_more_before_off=before)
         if known is not None:
             now = replace(now, silent_with_current=self._last.words(known.coils))
         if known is not None and known.platform is not None and not by_run:  # emulated, it is gone with the run
-            now = replace(now, left_turning=known.platform.moving is True)
+            unseen = platform_mark(now.platform_words)[1] == "bad"
+            now = replace(now, left_turning=known.platform.moving is True, left_unseen=unseen)
         if known is None and (driven or facts is not None):
             now = replace(now, coil_words=state.NOT_YET if driven else state.NOT_READ)
         return replace(now, coil_words=state.NOT_SINCE) if self.asked and not self.late(facts, now_s) else now
@@ -164,7 +167,8 @@ class KnownLab:
         """What the reference sees [nT, C] more than with the coils off, and when that was read."""
         before = self.state if self.asked and not self.late(facts, now_s) else None  # not read since
         off, seen = self.off(facts, now_s), before or known
-        return self._said.take(more_than_off(seen, facts, off), seen, moved=off is None)
+        more = more_than_off(seen, facts, off, with_current=bool(self._last.words(seen.coils)))
+        return self._said.take(more, seen, moved=off is None)
 
     def by_hand(self, facts: Bench | None, now_s: float) -> tuple[str, ...]:
         """The supplies that a person switches off, by name: those that gave no answer, or are on; else all.
@@ -210,8 +214,11 @@ class KnownLab:
 
 
 def _not_read_on(now: LabNow) -> LabNow:
-    """At rest the reference of a simulated lab is another lab's: how long ago it agreed would grow for ever."""
-    if not now.reference_agreed or (now.reference_old_s or 0) <= WATCHED_S:
+    """At rest the reference of a simulated lab is another lab's: how long ago it agreed would grow for ever.
+
+    As soon as a look at it would be due it is said so: with an age first, hands would read three sentences in 5 s.
+    """
+    if not now.reference_agreed or (now.reference_old_s or 0) <= LOOK_S:
         return now
     alone = now.coil_words.startswith(state.BY_WORD)
     return replace(

@@ -16,6 +16,7 @@ from labcal.gui.ipc.answers import Bench
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import GUARDIAN
+from labcal.gui.viewmodels.in_brief import in_brief
 
 Light = Literal["ok", "old", "waiting", "fault", "absent"]
 Lights = tuple[tuple[str, Light, str], ...]  # instrument, light, words
@@ -29,7 +30,13 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
 SILENT = QT_TRANSLATE_NOOP("Words", "no answer (plug? power?)")  # nobody can tell which: both are looked at
 LOST = QT_TRANSLATE_NOOP("Words", "no answer (link lost)")
 HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
-UNHEARD = ("silent", "no reply", "no sample", "nothing came")  # in a fault: one state, however who asked puts it
+UNHEARD = (
+    "silent",
+    "no reply",
+    "no sample",
+    "nothing came",
+    "no valid Modbus reply",
+)  # in a fault: one state, however who asked puts it
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
     "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
@@ -88,6 +95,7 @@ class LabNow:
     platform_old_s: int | None = None
     stop_unseen: bool = False  # it was told to stop, and nobody has seen it stand since
     left_turning: bool = False  # so it was read last, and no run of this window stops it
+    left_unseen: bool = False  # likewise, where nobody has seen it stand
     field_set_nT: state.Vector | None = None
     field_measured_nT: state.Vector | None = None
     field_old_s: int | None = None
@@ -95,6 +103,7 @@ class LabNow:
     field_changing: bool = False  # the coils are on their way
     field_more_nT: state.Vector | None = None  # than with the coils off, where that tells of a coil
     field_more_old_s: int = 0
+    field_more_before_off: bool = False  # that was read before zero was ordered
     lights: Lights = ()
     heard_old_s: tuple[tuple[str, int | None], ...] = ()  # by instrument, of those that were heard
     heard_at_s: tuple[tuple[str, float], ...] = ()  # likewise, by the computer's monotonic clock
@@ -153,10 +162,11 @@ def lab_now(
     seen_nT, seen_s = _field_seen(lab)
     silent = {one.name for one in lab.instruments if one.fault}
     lost = {roles.get(name, "") for name in silent}
+    coils_lost = any(role.startswith("coil-") for role in lost)
     return LabNow(
         coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
-        coil_words=in_places(lab.sentence(now_s, time.time() - time.monotonic() + now_s)),
+        coil_words=in_places(lab.sentence(now_s, time.time() - time.monotonic() + now_s, lost=coils_lost)),
         coils_late=known and not driven and lab.age_s(now_s) > coils_by_s,
         coils_at_zero=lab.at_zero(now_s),
         alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
@@ -175,7 +185,7 @@ def lab_now(
         lights=_lights(lab, received_s, roles, now_s, contacts_heard=contacts_heard),
         heard_old_s=tuple((one.name, old_s(one.heard_s, now_s)) for one in lab.instruments),
         silent_tellers=tuple(n for n, role in roles.items() if role.startswith(TELLERS) and n in silent),
-        coils_lost=any(role.startswith("coil-") for role in lost),
+        coils_lost=coils_lost,
         platform_lost="platform" in lost,
     )
 
@@ -297,7 +307,8 @@ def watched_age_s(now: LabNow) -> int:
 def _seen_between(now: LabNow) -> bool:
     """Whether the reference has seen the zero between two looks at the coils: it is looked at less often."""
     recent = now.reference_agreed and 0 <= (now.reference_old_s or 0) <= WATCHED_S
-    return recent and now.coil_words.startswith(state.BY_WORD) and not now.driven
+    read_on = now.alone != state.NOT_READ_ON and not now.driven
+    return recent and read_on and now.coil_words.startswith(state.BY_WORD)
 
 
 def off_words(coils: str, platform_words: str, at: str, *, later: bool = False) -> str:
@@ -332,7 +343,7 @@ def platform_drawn(words: str, coil_words: str = "") -> tuple[str, str]:
 def alarm_of(coil_words: str) -> str:
     """Short, where the coils are not at zero though they were to be: nothing goes on as it was planned; else ""."""
     shape, mark = mark_of(coil_words)
-    return f"{shape} {in_words(coil_words.partition(';')[0].partition(':')[0])}" if mark == "bad" else ""
+    return f"{shape} {in_words(in_brief(coil_words))}" if mark == "bad" else ""
 
 
 def old_s(read_s: float | None, now_s: float) -> int | None:

@@ -9,6 +9,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils import state
 from labcal.bench.essentials import AXES
+from labcal.bench.stage_off import NOT_YET
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
@@ -32,8 +33,13 @@ def coil_read(said: CoilEnd) -> state.CoilReading:
     return state.CoilReading(said.axis, None, said.current_A, known, known, read_s if known else None, fault)
 
 
-def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None) -> state.LabState:
-    """The lab after its coils were switched off and read back, with the doubt that stands about their zero."""
+def switched_off(
+    before: state.LabState, said: SwitchedOff, facts: Bench | None, *, stood: bool = False
+) -> state.LabState:
+    """The lab after its coils were switched off and read back, with the doubt that stands about their zero.
+
+    `stood`: the platform did when it was told to stop, and nothing has turned it since.
+    """
     rested = bool(before.coils) and all(coil.zero for coil in before.coils)  # it agreed with a zero, which stands
     witness = before.reference if rested and before.reference.verdict == "agrees" else state.Witness()
     if said.doubt:
@@ -41,15 +47,29 @@ def switched_off(before: state.LabState, said: SwitchedOff, facts: Bench | None)
     ends = {one.axis: one for one in said.coils}
     coils = tuple(coil_read(ends[axis]) for axis in AXES if axis in ends)  # by name: what has another is no coil here
     heard = heard_from(before.instruments, said.coils, facts)
-    platform = _stopped(before.platform, said.platform)
+    if said.platform is not None and said.platform.read_s is not None:  # who was seen to stand was heard
+        heard = _heard_at(heard, "platform", said.platform.read_s, facts)
+    platform = _stopped(before.platform, said.platform, stood=stood)
     return replace(before, coils=coils, reference=witness, guardian=None, instruments=heard, platform=platform)
 
 
-def _stopped(before: state.PlatformReading | None, said: state.PlatformReading | None) -> state.PlatformReading | None:
-    """The platform after it was told to stop: where nobody saw it stand, where it turned when it was read last."""
+def _stopped(
+    before: state.PlatformReading | None, said: state.PlatformReading | None, *, stood: bool
+) -> state.PlatformReading | None:
+    """The platform after it was told to stop: where nobody saw it stand, where it turned when it was read last.
+
+    One that `stood` before, and was not looked at in time, is as it was read then, and as old.
+    """
+    if stood and said is not None and said.fault == NOT_YET:
+        return before
     if said is not None and said.moving is None and before is not None and before.moving:
         return replace(before, fault=said.fault)
     return said or before
+
+
+def _heard_at(heard: tuple[state.Heard, ...], role: str, at_s: float, facts: Bench | None) -> tuple[state.Heard, ...]:
+    names = [name for name, one in facts.instruments.items() if one.role == role] if facts is not None else []
+    return (*(one for one in heard if one.name not in names), *(state.Heard(name, at_s) for name in names))
 
 
 def heard_from(

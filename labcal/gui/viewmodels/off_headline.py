@@ -41,6 +41,6 @@ def off_headline(now: LabNow) -> tuple[str, str]:
 
 
 def _seen_before(now: LabNow) -> bool:
-    """Whether the supplies alone have been read since the reference agreed."""
+    """Whether the supplies alone have been read since the reference agreed, which is to be read again."""
     old = now.reference_agreed and now.reference_old_s is not None
-    return old and now.coil_words.startswith(state.BY_WORD)
+    return old and now.coil_words.startswith(state.BY_WORD) and now.alone != state.NOT_READ_ON

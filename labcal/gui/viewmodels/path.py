@@ -205,9 +205,11 @@ class PathViewModel(QObject):
         if state.now.left_turning:
             return Next("Bench", self.tr("Stop the platform (COILS OFF)"), off=True)
         if mark_of(state.now.coil_words)[1] == "bad":
-            return Next("Bench", self.tr("See to the coils"), presses=True)
+            return Next("Bench", self.tr("See to the coils"), presses=not state.now.left_unseen)
         if failed := state.now.failed:
-            return Next("Bench", self.tr("See to {0}").format(failed[0]), presses=True)
+            return Next("Bench", self.tr("See to {0}").format(failed[0]), presses=not state.now.left_unseen)
+        if state.now.left_unseen:
+            return Next("Bench", self.tr("Stop the platform (COILS OFF)"), off=True)
         if not state.dut_serial or state.dut_objection:
             return Next("Start", self.tr("Say which DUT"), in_the_bar=True)
         if not state.operator or state.operator_objection:

@@ -51,14 +51,22 @@ def seconded(
     ambient: tuple[state.Vector, float] | None,
     off: Off | None = None,
 ) -> state.LabState:
-    """`known` with what the reference, if it was among those just read, says of a zero; a doubt stands until lifted.
+    """`known` with what the reference, if it was among those just read, says of a zero.
 
+    A doubt stands until the supplies read zero after it and the reference sees that by the same comparison.
     `off`: what it saw with the coils off, however long ago, and the least change of it that tells of a coil.
     """
     seen = next((one for one in said if one.role == "reference" and not one.held), None)
     on = any(coil.current_A is not None and not coil.zero for coil in known.coils)
-    if seen is None or known.reference.verdict == "disagrees" or on:
+    if on:
         return known
+    if seen is None:  # these supplies alone were read
+        before = _just_seen(known, said)
+        found = None if before is None else _agreement(known, before, ambient, off)
+        return known if found is None or known.reference.verdict == "disagrees" else replace(known, reference=found)
+    if known.reference.verdict == "disagrees":
+        found = _agreement(known, seen, ambient, off)
+        return known if found is None else replace(known, reference=found)
     zero = all(coil.zero for coil in known.coils)
     if zero and ambient is not None:
         return replace(known, reference=_witness(seen, ambient))
@@ -69,7 +77,33 @@ def seconded(
             return replace(known, reference=found)
     if zero:
         return replace(known, reference=_witness(seen, None) if off is None else _by_off(seen, off))
-    return replace(known, reference=state.Witness(why=NO_AMBIENT)) if known.reference.why == CHANGED else known
+    why = NO_AMBIENT if off is None else BEFORE_HANDS
+    return replace(known, reference=state.Witness(why=why)) if known.reference.why == CHANGED else known
+
+
+def _just_seen(known: state.LabState, said: tuple[InstrumentRead, ...]) -> InstrumentRead | None:
+    """What the reference saw just before these supplies were read: a zero of theirs need not wait for its next look.
+
+    What it saw then may be of a current that flows no more: it may agree, and never disagrees.
+    """
+    field, coils = known.field, [one.read_s for one in said if one.role.startswith("coil-") and one.read_s is not None]
+    if not coils or field.seen_nT is None or field.read_s is None or max(coils) - field.read_s > state.FRESH_S:
+        return None
+    if (known.reference.read_s or 0.0) >= field.read_s:  # it was compared with that
+        return None
+    return InstrumentRead("", "reference", "", read_s=field.read_s, field_nT=field.seen_nT)
+
+
+def _agreement(
+    known: state.LabState, seen: InstrumentRead, ambient: tuple[state.Vector, float] | None, off: Off | None
+) -> state.Witness | None:
+    """That what was `seen` is a zero, newer than any doubt in `known`; None where it is not, whatever else it is."""
+    doubted_s = known.reference.read_s if known.reference.verdict == "disagrees" else None
+    after = all(c.zero and c.read_s is not None and (doubted_s is None or c.read_s > doubted_s) for c in known.coils)
+    if not after or not known.coils or (ambient is None and off is None):
+        return None
+    found = _witness(seen, ambient) if ambient is not None or off is None else _by_off(seen, off)
+    return found if found.verdict == "agrees" else None
 
 
 def _by_off(seen: InstrumentRead, off: Off) -> state.Witness:

@@ -13,7 +13,7 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.back_again import BackAgain
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.viewmodels.lab_now import LabNow, as_watched, platform_said
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.run import RunViewModel
 
@@ -31,6 +31,12 @@ def _all(form: tuple[str, str]) -> re.Pattern[str]:
     return re.compile(re.sub(r"\\\{\d\\\}", lambda found: NUMBERS[found[0]], said))
 
 
+def _how_it_is(now: LabNow) -> str:
+    """Coils and platform, in words that grow no age while they are read on."""
+    seen = as_watched(now)
+    return "; ".join(filter(None, (in_words(seen.coil_words), platform_said(seen.platform_words))))
+
+
 class SaidNoMore:
     """Looks at the lab each time that it is known anew."""
 
@@ -39,6 +45,7 @@ class SaidNoMore:
         self.back = BackAgain(lab, run)  # in the lists, where the next word does not replace it
         self._lost, self._times = set[str](), LostSince()
         self._since = dict[str, str]()
+        self._out_then = self._state_then = ""  # of the line: who was out, and how coils and platform were
         self._was_out = dict[str, str]()  # by who was lost and is back: when it was last, in words
 
     def look(self, warned: str = "") -> None:
@@ -56,9 +63,13 @@ class SaidNoMore:
         if now.failed and any(_all(form).fullmatch(message) for form in EVERYBODY):
             self._say(translated(str(SHOWN)).format(", ".join(now.failed)))
         elif zero or (warned and message == warned):
-            out = [said for one, said in self._was_out.items() if one in message and one not in now.failed]
-            said = (*out, in_words(now.coil_words), platform_said(now.platform_words))
-            self._say("; ".join(filter(None, said)))
+            self._out_then = "; ".join(s for n, s in self._was_out.items() if n in message and n not in now.failed)
+            self._state_then = _how_it_is(now)
+            self._say("; ".join(filter(None, (self._out_then, self._state_then))))
+        elif self._state_then and message.endswith(self._state_then) and _how_it_is(now) != self._state_then:
+            self._state_then, said_at = "", self._lab.state.said_at  # what happened stays, how it was then is past
+            self._say(self._out_then)
+            self._lab.update(said_at=said_at if self._out_then else "")
         elif named:
             self._say("; ".join(self._was_out[one] for one in named))
 

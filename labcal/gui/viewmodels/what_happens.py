@@ -106,7 +106,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     mark = hands_of(known)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return _off(run, now)
-    out = asked_out(run, now) or (run.alive and run.unread) or mark not in MAY
+    out = asked_out(run, now) or _just_begins(run) or mark not in MAY
     return (translated(str(OUT)), OFF) if out else ("", "")
 
 
@@ -114,6 +114,11 @@ def begins(run: RunViewModel, now: LabNow) -> bool:
     """Whether a run of this window has not read the coils yet: it energises nothing before. Else nobody knows."""
     unread = now.coil_words in ("", state.NOT_READ, state.NOT_YET)
     return run.alive and run.unread and not run.unheard and unread and not (now.left_by or now.closed_with)
+
+
+def _just_begins(run: RunViewModel) -> bool:
+    """From the click until the run has read the coils and has a step: a first start as one that goes on."""
+    return run.alive and (run.unread or run.state == "starting")
 
 
 def asked_out(run: RunViewModel, now: LabNow) -> str:
@@ -181,7 +186,7 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     if mark != "bad" and run.alive and (promised or run.segment is not None):
         comes = STOPS if run.state == "stopping" else BREAKS if run.time.failed else COMES  # nothing comes after these
         return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
-    if mark != "bad" and run.alive and run.unread:  # what was read before it says nothing of what it does
+    if mark != "bad" and _just_begins(run):  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), OFF
     if mark in MAY and (out := asked_out(run, now)):
         return out, OFF

@@ -12,7 +12,8 @@ from labcal.gui.widgets.fault_card import FaultCard
 def say_coils(card: FaultCard, app_state: AppState) -> None:
     """As they are known now."""
     known = beside_coils(app_state.lab.state.now), pressed_words(app_state.off.pressed)
-    card.say_coils(app_state.coil_words(), app_state.by_hand(), ". ".join(filter(None, known)))
+    said = ". ".join(one.rstrip(".") for one in known if one)
+    card.say_coils(app_state.coil_words(), app_state.by_hand(), said, pressed=bool(app_state.off.pressed))
     card.say_gravest(card_words(app_state.lab.state.now))
     card.say_not_read(app_state.off.not_read())
     card.say_platform(app_state.platform_words())

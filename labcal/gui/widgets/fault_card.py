@@ -8,13 +8,15 @@ from PySide6.QtCore import QTimer, Signal
 from PySide6.QtGui import QPalette, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 
+from labcal.bench.coils import state
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.by_hand import by_hand_words, not_read_words
 from labcal.gui.viewmodels.failed_step import without_age
 from labcal.gui.viewmodels.guardian import guardian_is
-from labcal.gui.viewmodels.lab_now import platform_mark, platform_said
+from labcal.gui.viewmodels.in_brief import in_brief
+from labcal.gui.viewmodels.lab_now import mark_of, platform_mark, platform_said
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.kept_lines import KeptLines
 from labcal.gui.widgets.whole_card import WholeCard
@@ -172,20 +174,23 @@ class FaultCard(WholeCard):
         self.not_read.setText(not_read_words(supplies) or " ")
         self.not_read.setVisible(not self.by_hand.isHidden())
 
-    def say_coils(self, words: str, supplies: Sequence[str] = (), known: str = "") -> None:
+    def say_coils(self, words: str, supplies: Sequence[str] = (), known: str = "", *, pressed: bool = False) -> None:
         """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
 
         The figures of it stand in the details then. `known`: what was read before that, and
-        what to look at first where several are silent.
+        what to look at first where several are silent. `pressed`: COILS OFF was.
         """
         self._kept.keep()
-        self.coils.setText(in_words(words))
+        shape, mark = mark_of(state.AT_ZERO)  # of other words none: beside the platform that stands it is as green
+        seen = in_words(words) == in_words(state.AT_ZERO)
+        self.coils.setText(f"{shape} {in_words(words)}" if seen else in_words(words))
+        set_state(self.coils, mark if seen else "")
         self._tells_coils = True
         self.by_hand.setVisible(bool(supplies))
         self.text.setVisible(not supplies)
         if supplies and self.fault is not None:
-            self.by_hand.setText(by_hand_words(supplies))
-            short = in_words(words.partition(";")[0].partition(":")[0])
+            self.by_hand.setText(by_hand_words(supplies, pressed=pressed))
+            short = in_words(in_brief(words))
             self.coils.setText(f"{short}. {known}" if known else short)
             figures = in_words(words), in_words(self.fault.text)
             said = dict.fromkeys((*figures, self._for_others(self.fault)))
@@ -220,7 +225,7 @@ class FaultCard(WholeCard):
 
     def _say_coils_once(self) -> None:
         """What is said beside "Hands may go in" is not said again below it."""
-        again = not self.hands.isHidden() and self.coils.text() in self.hands.text()
+        again = not self.hands.isHidden() and self.coils.text().removeprefix("✓ ") in self.hands.text()
         self.coils.setVisible(self._tells_coils and not again)
 
     def say_platform(self, words: str) -> None:

@@ -8,19 +8,23 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
 from PySide6.QtWidgets import QLabel
 
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.in_brief import in_brief
 
 MOST_LINES = 7  # of all that is said of hands and coils: below them the instruments stand in sight at 1360 x 860
 MORE = QT_TRANSLATE_NOOP("Words", "and {0} more")
 
 
-def said_shorter(why: str, coils: str) -> Iterator[tuple[str, str]]:
+def said_shorter(why: str, coils: str, *, may: bool = False) -> Iterator[tuple[str, str]]:
     """The reasons and what is said of the coils: whole, and then each time in fewer words, the first reason whole.
 
-    What to do stays longer than how it was found; what a reason has said of the coils is not said again.
+    What to do stays longer than how it was found; what a reason has said of the coils is not said again. `may`: hands
+    may go in; then what follows is what that rests on, and stays whole.
     """
     yield why, coils
+    if may:
+        return
     first, *others = why.split("; ")
-    short = coils.partition(";")[0].partition(":")[0]
+    short = in_brief(coils)
     known = short.partition(" ")[2] in why
     to_do = coils.partition(". ")[2] if known else ""
     yield why, to_do or ("" if known else short)

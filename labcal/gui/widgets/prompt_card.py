@@ -63,7 +63,7 @@ class PromptCard(UncutCard):
         self._reached_into = False  # what is asked brings hands to the lab
         self._lost = self._mended = False  # somebody, since it was asked; who was is heard again
         self._first = ""  # what comes before a plug
-        self._usual = ""  # how it is answered
+        self._usual = self._how = ""  # how it is answered, with what that means; by which key alone
         self._said_once = False  # how the coils are is said whole where hands are told that they may go in
         self._who, self._since, self._back = list[str](), list[str](), ""  # who is lost; who was, and answers again
         self._waits = False  # what sends hands to the lab: for the lab
@@ -193,6 +193,14 @@ class PromptCard(UncutCard):
             made.setEnabled(self.alive and self._may(choice))
         if self.send is not None:
             self.send.setEnabled(self.alive and self._may(""))
+        self._say_how()
+
+    def _say_how(self) -> None:
+        """How it is answered; of an answer that may not be given yet, that it waits."""
+        waits = self._prompt is not None and bool(self._prompt.choices) and not self._may(wanted(self._prompt))
+        later = self._usual.replace(self._how, self.tr("Not yet: what it waits for stands above."))
+        if self._how and self.hint.text() == (self._usual if waits else later):
+            self.hint.setText(later if waits else self._usual)
 
     def _may(self, choice: str) -> bool:
         return self._prompt is not None and may_answer(self._prompt, choice, lost=self._lost, waits=self._waits)
@@ -320,6 +328,7 @@ class PromptCard(UncutCard):
         by_key = self.tr("Click, or hold the key for a moment. Enter does nothing here.") if held else ""
         if any(b.held_by_mouse for b in held):
             by_key = self.tr("Hold the button, or its key, until it is full. Enter does nothing here.")
+        self._how = by_key
         if "skip" in prompt.choices:
             cost = self.tr(
                 "Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered "
