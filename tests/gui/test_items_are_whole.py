@@ -24,7 +24,7 @@ def test_an_item_has_the_lines_that_its_words_need(qtbot, kind):
         shown.resize(width, 200)
         QApplication.processEvents()
         place = shown.visualItemRect(shown.item(0))
-        within = QRect(0, 0, place.width() - 18, 1000)  # 6 px of padding and 3 of Qt's own at each side
+        within = QRect(0, 0, shown.viewport().width() - 18, 1000)  # 6 px of padding and 3 of Qt's own at each side
         needed = metrics.boundingRect(within, int(Qt.TextFlag.TextWordWrap), WORDS).height()
         assert place.height() >= needed + 8, width
         heights.add(place.height())
