@@ -103,7 +103,7 @@ def test_who_does_not_answer_comes_into_sight_in_a_low_window(rolled, name):
     def in_sight(shown):
         row = window.side.rows[[one for one, *_ in lab.state.now.lights].index(shown)]
         seen = row.mapTo(column.viewport(), QPoint(0, 0)).y()
-        return 0 <= seen and seen + row.height() <= column.viewport().height()
+        return seen >= 0 and seen + row.height() <= column.viewport().height()
 
     def says(lost):
         lights = tuple((n, "fault" if n in lost else "ok", "no answer" if n in lost else "") for n, *_ in before)

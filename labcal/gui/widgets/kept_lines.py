@@ -1,4 +1,4 @@
-"""Lines of a card that come, go and grow while it tells of one thing: what stands below all of them does not move up."""
+"""Lines of a card that come, go and grow while it tells of one thing: what stands below them all keeps its place."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 
 class KeptLines(QWidget):
-    """Stands below `lines`, and has the room that they took and take no more, until `forget`: none is left among them."""
+    """Below `lines` it has the room that they took and take no more, until `forget`: none is left among them."""
 
     def __init__(self, *lines: QLabel, apart_px: int) -> None:
         super().__init__()

@@ -51,7 +51,7 @@ def _one(value: Any) -> str:
 
 
 def as_written(spec: ParameterSpec, text: str) -> str:
-    """A single number with the decimal mark of the window's language, as readings have it; between several it stands."""
+    """A number with the decimal mark of the window's language, as readings have it; between several stand commas."""
     alone = spec.kind in ("number", "integer") and not spec.many
     return text.replace(".", QLocale().decimalPoint()) if alone else text
 
