@@ -137,7 +137,8 @@ class SidePanel(Surface):
         coils.body.setContentsMargins(0, 0, MARGIN, 0)
         column.addWidget(self._hands())
         column.addWidget(coils)
-        column.addWidget(self._rolling(field, self.platform_group), 1)
+        self._rolled, self._lost = self._rolling(field, self.platform_group), frozenset[str]()
+        column.addWidget(self._rolled, 1)
         self.rows: list[InstrumentRow] = []
 
     @property
@@ -343,6 +344,23 @@ class SidePanel(Surface):
             row.show()
         for row in self.rows[len(state.now.lights) :]:
             row.hide()
+        self._bring_lost(state.now)
+
+    def _bring_lost(self, now: LabNow) -> None:
+        """Who begins not to answer comes into sight in a low window; with the last of them it is as it was."""
+        lost = frozenset(name for name, light, _ in now.lights if light == "fault")
+        if lost != self._lost:
+            begins, self._lost = lost - self._lost, lost
+            rows = [row for row, (name, *_) in zip(self.rows, now.lights, strict=False) if name in begins]
+            if rows or not lost:
+                QTimer.singleShot(0, self, lambda: self._roll_to(rows))  # once it has its lines
+
+    def _roll_to(self, rows: list[InstrumentRow]) -> None:
+        if not rows:
+            return self._rolled.verticalScrollBar().setValue(0)
+        for row in reversed(rows):  # the first of them is seen in any case
+            self._rolled.ensureWidgetVisible(row, 0, GRID)
+        return None
 
     def _of_all(self, state: LabState) -> str:
         """What holds for every instrument is said once, above them."""

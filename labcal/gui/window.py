@@ -32,7 +32,7 @@ from labcal.gui.problem_report import save_problem
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.chosen import chosen_theme, system_theme
 from labcal.gui.theming.palette import palette
-from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
+from labcal.gui.theming.stylesheet import COMES_UP, apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
 from labcal.gui.translations.translate import following, languages, spoken
 from labcal.gui.viewmodels.app_state import AppState
@@ -271,7 +271,7 @@ class Window(Frame):
                 self.app_state.login.touched()
             if kind == QEvent.Type.MouseButtonPress:
                 self.scanner.flush()  # what was typed before a click comes before it
-        elif kind == QEvent.Type.Polish and isinstance(watched, QWidget) and is_unstyled(watched, self):
+        elif kind in COMES_UP and isinstance(watched, QWidget) and is_unstyled(watched, self):
             apply_style(watched, self.sheet())
         return super().eventFilter(watched, event)
 

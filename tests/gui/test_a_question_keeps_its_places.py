@@ -75,3 +75,31 @@ def test_there_is_always_a_place_for_the_first_of_the_words(same_window):
     card = asking(same_window, MOUNT, (1024, 700))
     assert card.hands.mapTo(card, card.hands.rect().topLeft()).y() < card.height()
     assert LEAST_PX > 100
+
+
+@pytest.mark.parametrize("size", [(1360, 860), (1920, 1080)], ids=str)
+def test_a_note_that_comes_does_not_make_the_letters_of_the_question_smaller(fixed, size):
+    card = asking(fixed, MOUNT, size)
+    fixed.app_state.bench_worker.states.emit(lab(platform=stands()))
+    settle(fixed)
+    large, stood = card.text.font().pointSize(), card.stands.y()
+    card.say_lost(["stage"])
+    card.say_lost([])
+    settle(fixed)
+    assert card.details.text() == "stage: answers again"
+    assert (card.text.font().pointSize(), card.stands.y()) == (large, stood)
+    card.say_moved("17:49:10: platform 0.0°")
+    settle(fixed)
+    assert card.moved.isVisible()
+    assert (card.text.font().pointSize(), card.stands.y()) == (large, stood)
+
+
+@pytest.mark.parametrize("size", [(1360, 860), (1920, 1080)], ids=str)
+def test_the_drawing_has_a_third_of_the_height_of_its_card(fixed, size):
+    card = asking(fixed, MOUNT, size)
+    fixed.app_state.bench_worker.states.emit(lab(platform=stands()))
+    settle(fixed)
+    fixed.grab()
+    drawn = [place.top() for place in card.drawing.names.values()]
+    words = card.drawing.fontMetrics().height()
+    assert card.drawing.words_top() + words - min(drawn) > card.height() / 3

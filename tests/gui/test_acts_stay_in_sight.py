@@ -5,6 +5,9 @@ from dataclasses import replace
 import pytest
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QApplication
+from test_field_as_witness import real_lines
+from test_hands_in_the_cage import running as running
+from test_hands_in_the_cage import says, stands
 from test_nothing_is_cut import WORST, begun, measuring, settle
 
 from labcal.gui.ipc.wire import Fault
@@ -67,3 +70,23 @@ def test_the_last_row_in_sight_of_what_was_measured_is_a_whole_one(new_window, h
     rows = [(table.rowViewportPosition(row), table.rowHeight(row)) for row in range(table.rowCount())]
     assert sum(top < end for top, _ in rows) >= 2
     assert [top for top, height in rows if top < end < top + height - 1] == []
+
+
+def test_below_such_a_card_the_steps_have_the_room_of_what_is_not_promised(running):
+    live = running.page("Run").live
+    real_lines(running)
+    running.resize(1360, 860)
+    running.open_page("Run")
+    says(running, (0.0, 0.0, 1.1), stands())
+    live.draw()
+    settle(running)
+    promised, high = live.time_left.until.height(), live.time_left.height()
+    says(running, (0.0, 0.0, None), stands(moving=True), ("supply_z",))
+    live.draw()
+    settle(running)
+    assert running.app_state.lab.state.now.coil_words.startswith("coils NOT confirmed")
+    assert 0 < promised <= high - live.time_left.height()
+    says(running, (0.0, 0.0, 1.1), stands())
+    live.draw()
+    settle(running)
+    assert live.time_left.height() == high

@@ -25,6 +25,7 @@ from labcal.gui.ipc.messages import (
     RunProcedure,
 )
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.pages import lazy_page
 from labcal.gui.reopened import Shown
 from labcal.gui.theming.theme import STATES
 from labcal.gui.translations import translate
@@ -120,6 +121,30 @@ def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, new_w
     assert (new_window.language_switch.isEnabled(), qapp.overrideCursor()) == (False, None)
     window.language_switch.click()
     assert (shown.window, window.language_switch.text()) == (window, "Français")
+
+
+@pytest.mark.parametrize("pieces", [1, 20])
+def test_settings_that_come_while_their_page_is_built_have_their_style(
+    qapp, new_window, restored, windows, monkeypatch, pieces
+):
+    monkeypatch.setattr(Window, "prebuild", lambda window: None)
+    monkeypatch.setattr(lazy_page, "TIME_SLICE_S", 0.0)  # each widget is a piece
+    shown = Shown(new_window)
+    new_window.open_page("Run")
+    new_window.language_switch.click()
+    windows.append(window := shown.window)
+    place = window.lazy_pages["Run"]
+    for _ in range(pieces):
+        place.build()
+        QApplication.processEvents()
+    window.app_state.quick_worker.answer(ListProcedures, new_window.procedures)
+    while not place.ready:
+        QApplication.processEvents()
+        place.build()
+    QApplication.processEvents()
+    form = window.page("Run").choose.form
+    assert form.isVisible()
+    assert form.styleSheet() == new_window.page("Run").choose.form.styleSheet()
 
 
 def test_how_a_run_ended_is_said_anew_in_the_other_language(qapp, new_window, restored, windows):

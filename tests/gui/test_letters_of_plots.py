@@ -2,16 +2,21 @@
 
 import re
 
+import numpy as np
 import pyqtgraph as pg
 import pytest
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication, QGraphicsView
 from test_nothing_is_cut import other_language as other_language
+from test_nothing_is_cut import settle as rest_of_it
+from test_nothing_is_cut import shown
 
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.widgets.plots import Axis, legend_above, plot
+from labcal.gui.widgets.plot_letters import LETTERS
+from labcal.gui.widgets.plots import Axis, Loci, legend_above, plot
 from labcal.gui.widgets.study_plots import Bars
+from labcal.gui.widgets.trend import Trend
 
 PAGES = ("Run", "Fit", "Loop", "History")
 
@@ -86,3 +91,35 @@ def test_figures_of_an_axis_are_written_as_those_of_a_table(other_language):
     said = axis.tickStrings([-1000.5, 0.5, 1200.0], 1.0, 0.5)
     assert said == [format_number(v, signed=False) for v in (-1000.5, 0.5, 1200.0)]
     assert axis.tickStrings([1000.0], 1.0, 1000.0) == [format_number(1000.0, 0, signed=False)]
+
+
+def test_the_days_below_a_trend_are_as_large_as_all_figures(qtbot):
+    trend = Trend(LIGHT)
+    qtbot.addWidget(trend)
+    font = trend.plot.getPlotItem().getAxis("bottom").style["tickFont"]
+    assert font is not None
+    assert font.pointSizeF() == LETTERS.font().pointSizeF()
+
+
+@pytest.mark.parametrize("other_language", ["en", "fr"], indirect=True)
+def test_the_names_beside_what_is_left_are_as_large_as_the_letters_of_the_window(other_language, new_window, rest):
+    window = rest(new_window)
+    page = shown(window, "Loop")
+    window.resize(1920, 1080)
+    window.toggle_wall()
+    window.open_page(page)
+    rest_of_it(window)
+    parts = window.page("Loop").left, window.page("Loop").change
+    for part in parts:
+        part.setMaximumHeight(part.minimumHeight())  # where a card above takes the room of the page
+    rest_of_it(window)
+    plots = [part.plot for part in parts]
+    assert [one.getPlotItem().getAxis("left").label.scale() for one in plots] == [1.0, 1.0]
+
+
+def test_what_lies_behind_a_circle_is_as_wide_a_line_as_what_lies_before_it(qtbot):
+    loci = Loci(LIGHT)
+    qtbot.addWidget(loci)
+    loci.show_field(np.eye(3))
+    drawn = [one for view in loci.plots for one in view.getPlotItem().items if isinstance(one, pg.PlotCurveItem)]
+    assert {one.opts["pen"].widthF() for one in drawn} == {2.0}

@@ -13,6 +13,7 @@ from labcal.bench.coils.state import LabState, PlatformReading, unread
 from labcal.bench.mounting import attitude
 from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets import mounting_view
 from labcal.gui.widgets.mounting_view import Mounting
 from labcal.gui.widgets.placed_names import Tip, placed
 from labcal.record.stream import Prompt
@@ -68,6 +69,25 @@ def test_names_of_axes_lie_over_no_other_name_and_within_the_drawing(qtbot, size
     assert len(drawing.names) == 5
     assert all(drawing.rect().toRectF().contains(place) for place in drawing.names.values())
     assert [pair for pair in combinations(drawing.names.values(), 2) if pair[0].intersects(pair[1])] == []
+
+
+@pytest.mark.parametrize("size", [(244, 550), (404, 770), (620, 420)], ids=str)
+@pytest.mark.parametrize("up", "xyz")
+def test_names_of_axes_lie_on_no_line_of_the_drawing(qtbot, monkeypatch, size, up):
+    drawn = []
+    monkeypatch.setattr(
+        mounting_view, "placed", lambda tips, lines, within: drawn.extend(lines) or placed(tips, lines, within)
+    )
+    drawing = Mounting(LIGHT)
+    qtbot.addWidget(drawing)
+    drawing.resize(*size)
+    bench = SimpleNamespace(config=SimpleNamespace(platform=SimpleNamespace(axis_cage=(0.0, 0.0, 1.0))))
+    drawing.show_drawing({"body_from_cage": attitude(bench, up).tolist(), "axis_cage": [0.0, 0.0, 1.0]})
+    drawing.show_platform(0.0)
+    drawing.grab()
+    assert len(drawn) > 60  # the rim of the platform and the edges of the box are among them
+    points = [line.pointAt(n / 20) for line in drawn for n in range(21)]
+    assert {name for name, place in drawing.names.items() if any(map(place.contains, points))} == set()
 
 
 def test_a_name_stands_on_no_line_where_it_can_be_helped():

@@ -1,5 +1,7 @@
 """Nothing at the right of the pages is wider than its column, whoever is back after a silence and however old it is."""
 
+from dataclasses import replace
+
 import pytest
 from geometry import faults
 from PySide6.QtCore import QPoint
@@ -90,3 +92,35 @@ def test_no_row_is_halved_at_the_end_of_what_is_in_sight(rolled):
         texts = [one for one in column.widget().findChildren(QLabel) if one.isVisible()]
         tops = [(one.mapTo(column.viewport(), QPoint()).y(), one) for one in texts]
         assert [one.text() for top, one in tops if top < end < top + one.height()] == [], high
+
+
+@pytest.mark.parametrize("name", ["reference", "dut"])
+def test_who_does_not_answer_comes_into_sight_in_a_low_window(rolled, name):
+    window, column = rolled
+    lab = window.app_state.lab
+    column.verticalScrollBar().setValue(0)
+
+    def in_sight(shown):
+        row = window.side.rows[[one for one, *_ in lab.state.now.lights].index(shown)]
+        seen = row.mapTo(column.viewport(), QPoint(0, 0)).y()
+        return seen >= 0 and seen + row.height() <= column.viewport().height()
+
+    def says(lost):
+        lights = tuple((n, "fault" if n in lost else "ok", "no answer" if n in lost else "") for n, *_ in before)
+        lab.update(now=replace(lab.state.now, lights=lights))
+        settle(window)
+
+    before = lab.state.now.lights
+    says(())
+    column.verticalScrollBar().setValue(0)
+    assert not in_sight(name)
+    says((name,))
+    assert in_sight(name)
+    column.verticalScrollBar().setValue(0)  # who rolls back is left alone
+    lab.update(now=replace(lab.state.now))
+    settle(window)
+    assert column.verticalScrollBar().value() == 0
+    says(("reference", "dut"))
+    assert in_sight("dut" if name == "reference" else "reference")
+    says(())
+    assert column.verticalScrollBar().value() == 0

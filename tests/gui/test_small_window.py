@@ -3,12 +3,13 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtWidgets import QApplication, QToolTip
+from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionComboBox, QToolTip
 from test_a_question_keeps_its_places import asking
 from test_calibration_views import FOUND
 from test_compare import side
-from test_nothing_is_cut import WORST, begun, by_word, settle
+from test_nothing_is_cut import WORST, begun, by_word, settle, traced
 from test_nothing_is_cut import large as large
+from test_nothing_is_cut import other_language as other_language
 from test_nothing_is_cut import sized as sized
 from test_path import RUN
 from test_sixth_walk import STANDS
@@ -16,6 +17,8 @@ from test_sixth_walk import STANDS
 from labcal.bench.coils.agreement import BEFORE_HANDS
 from labcal.gui.ipc.answers import Comparison
 from labcal.gui.ipc.messages import ListRuns
+from labcal.gui.theming.theme import LIGHT
+from labcal.gui.widgets.measurement_table import MeasuredCard
 from labcal.gui.widgets.rolled import Rolled
 
 SMALL = (984, 660)
@@ -120,3 +123,38 @@ def test_what_a_face_out_of_sight_would_need_makes_no_page_wider(new_window, pag
     hidden.setMinimumWidth(2 * new_window.width())
     settle(new_window)
     assert new_window.lazy_pages[page].area.horizontalScrollBar().maximum() == 0
+
+
+@pytest.mark.parametrize("other_language", ["en", "fr"], indirect=True)
+def test_what_a_residual_is_drawn_against_is_whole(other_language, new_window, rest):
+    window = rest(new_window)
+    window.open_page(traced(window))
+    window.resize(1024, 700)
+    settle(window)
+    chooser = window.page("Loop").against
+    place = chooser.style().subControlRect(
+        QStyle.ComplexControl.CC_ComboBox, styled(chooser), QStyle.SubControl.SC_ComboBoxEditField, chooser
+    )
+    assert chooser.currentText() != ""
+    assert place.width() >= chooser.fontMetrics().horizontalAdvance(chooser.currentText())
+
+
+def styled(chooser):
+    option = QStyleOptionComboBox()
+    chooser.initStyleOption(option)
+    return option
+
+
+@pytest.mark.parametrize("width", [300, 420, 700])
+def test_the_newest_of_what_was_measured_is_in_sight_below_its_headings(qtbot, width):
+    card = MeasuredCard(LIGHT)
+    qtbot.addWidget(card)
+    card.show()
+    name = "mount-z: DUT less reference, first position, before the field went on and after it"
+    card.table.show_measurements([replace(WORST, name=name)])
+    for _ in range(3):
+        QApplication.processEvents()
+        card.resize(width, card.minimumHeight())
+    seen = card.table.viewport().height()
+    assert card.table.rowViewportPosition(0) == 0
+    assert card.table.rowHeight(0) <= seen

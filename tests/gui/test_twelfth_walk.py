@@ -8,6 +8,7 @@ import pytest
 from test_hands_in_the_cage import AMBIENT, READY, lab, says, send, stands
 from test_hands_in_the_cage import real as real
 from test_hands_in_the_cage import running as running
+from test_nothing_is_cut import settle
 from test_off_unanswered import ends
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness, unread
@@ -57,11 +58,13 @@ def test_who_was_not_asked_yet_is_not_to_be_switched_off(real):
     real.app_state.take_lab(LabState(known, instruments=heard, platform=stands()))
     assert real.fault.by_hand.text().endswith("by hand: supply_x")
     assert real.fault.not_read.text() == f"Still to be read: supply_y (last read {WATCHED_S + 1} s ago), supply_z"
-    below = real.fault.not_read.geometry().bottom()
+    settle(real)
+    below = real.fault.fold.y()
     fresh = (known[0], coil("y", 0.0), coil("z", 0.0))
     real.app_state.take_lab(LabState(fresh, instruments=heard, platform=stands()))
     assert real.fault.not_read.text().strip() == ""
-    assert (real.fault.not_read.isVisibleTo(real.fault), real.fault.not_read.geometry().bottom()) == (True, below)
+    settle(real)
+    assert (real.fault.not_read.isVisibleTo(real.fault), real.fault.fold.y()) == (False, below)
     silent = tuple(coil(axis, fault="silent") for axis in "xyz")
     real.app_state.take_lab(LabState(silent, instruments=heard, platform=stands()))
     assert real.fault.by_hand.text().endswith("by hand: supply_x, supply_y, supply_z")
@@ -195,7 +198,7 @@ def test_under_hands_off_nothing_is_ready_and_what_is_open_is_said(real):
     assert "Ready" not in start.question.text()
     real.app_state.off.order()
     real.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends()))
-    assert "x: zero, its output open" in real.message.text()
+    assert "x, y, z: zero, output open" in real.message.text()
 
 
 def test_one_card_says_a_thing_once(running):

@@ -36,6 +36,7 @@ from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.goes_on_elsewhere import GoesOnElsewhere
 from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.plot_export import export_buttons
+from labcal.gui.widgets.plot_letters import LETTERS
 from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 from labcal.gui.widgets.trace_progress import TraceProgress
@@ -135,7 +136,6 @@ class LoopPage(QWidget):
         card = Card(self.tr("1  What is left over"), self.tr("noise k=2"))
         card.unit.setToolTip(self.tr("Band: the noise of one axis of one row"))
         self.left = Residuals(self._theme)
-        self.left.setMinimumHeight(LEAST_PX)
         card.body.addWidget(self.left)
         return card
 
@@ -156,17 +156,19 @@ class LoopPage(QWidget):
     def _change_card(self) -> Card:
         card = Card(self.tr("2  What it changes"), "")
         self.change_heading = card.heading
-        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"), letters=2)
+        self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"))
         self.against.activated.connect(self._show_change)
         self.change = Residuals(self._theme)
-        self.change.setMinimumHeight(LEAST_PX)
-        row = QHBoxLayout()
-        row.addWidget(self.against, 1)
-        for widget in export_buttons(self, lambda: self.change):
-            row.addWidget(widget)
-        card.body.addLayout(row)
+        LETTERS.changed.connect(self._fit_pictures)
+        self._fit_pictures()
+        card.body.addLayout(Flow(self.against, *export_buttons(self, lambda: self.change)))
         card.body.addWidget(self.change, 1)
         return card
+
+    def _fit_pictures(self) -> None:
+        """High enough for the names of their axes, in letters of any size."""
+        for one in (self.left, self.change):
+            one.setMinimumHeight(round(LETTERS.scale * LEAST_PX))
 
     def _unknown_card(self) -> Card:
         card = Card(self.tr("4  Still not known"), "")

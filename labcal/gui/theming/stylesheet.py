@@ -10,6 +10,7 @@ import re
 from functools import lru_cache
 from itertools import chain
 
+from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
     QComboBox,
@@ -21,6 +22,7 @@ from PySide6.QtWidgets import (
 )
 from shiboken6 import isValid
 
+COMES_UP = QEvent.Type.Polish, QEvent.Type.Show  # what is polished in a page that is built is shown in the window later
 GLOBAL_SELECTORS = ("*", "QToolTip")
 CHILD_SELECTORS = {  # whose rules are for what stands within a widget of this kind
     QAbstractScrollArea: ("QScrollBar", "QHeaderView"),
@@ -44,7 +46,7 @@ def is_unstyled(widget: QWidget, window: QWidget) -> bool:
     holder = widget.parentWidget()
     if holder is None or widget.window() is not window or widget.styleSheet() or isinstance(widget, QScrollBar):
         return False
-    return bool(_whole(widget)) or (_holds(holder) and widget in styled_widgets(widget))
+    return bool(_whole(widget)) or (_holds(holder) and not _holds(widget) and widget in styled_widgets(widget))
 
 
 def apply_style(widget: QWidget, sheet: str) -> None:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from string import Template
 
 GRID = 8
+ITEM_PX = 6  # of an item of a list, between its edge and its words
 TEXT, SMALL, LARGE = 10.5, 9.0, 22.0  # points: body, captions, what is read from across the room
 WALL_SCALE = 1.8
 WHOLE_PX = (1024, 600)  # a window of this size has room for its texts in their size
@@ -147,7 +148,7 @@ QHeaderView::section { background: $page; color: $muted; border: 0; border-botto
 QProgressBar { background: $sunken; border: 1px solid $line; border-radius: 4px; height: 14px; text-align: center; }
 QProgressBar::chunk { background: $accent; border-radius: 3px; }
 QToolTip { background: $surface; color: $text; border: 1px solid $line; padding: 4px; }
-QListWidget { outline: 0; } QListWidget::item { padding: 4px 6px; border-radius: 4px; }
+QListWidget { outline: 0; } QListWidget::item { padding: 4px ${item_px}px; border-radius: 4px; }
 QListWidget::item:selected { background: $accent; color: $on_accent; }
 QTableView:focus, QListView:focus { border: 2px solid $accent; padding: 0; }
 QTableView { outline: 0; } QTableView::item { padding: 0 8px; }
@@ -179,6 +180,7 @@ def style_sheet(theme: Theme, scale: float = 1.0) -> str:
     """The application's style sheet for `theme`, with all texts `scale` times their size."""
     colours = {name: getattr(theme, name) for name in Theme.__dataclass_fields__}
     sizes = {
+        "item_px": str(ITEM_PX),
         "text_pt": f"{TEXT * scale:.1f}",
         "small_pt": f"{SMALL * scale:.1f}",
         "title_pt": f"{TEXT * 1.35 * scale:.1f}",

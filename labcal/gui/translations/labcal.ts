@@ -10135,11 +10135,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>zero, its output open</source>
+        <source>zero, output open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>zero, its output not open</source>
+        <source>zero, output not open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -10136,12 +10136,12 @@ diesem Schritt …</translation>
         <translation>SPULEN AUS wurde um {0} gedrückt; niemand hat es bestätigt</translation>
     </message>
     <message>
-        <source>zero, its output open</source>
-        <translation>null, sein Ausgang offen</translation>
+        <source>zero, output open</source>
+        <translation>null, Ausgang offen</translation>
     </message>
     <message>
-        <source>zero, its output not open</source>
-        <translation>null, sein Ausgang nicht offen</translation>
+        <source>zero, output not open</source>
+        <translation>null, Ausgang nicht offen</translation>
     </message>
     <message>
         <source>{0}: answers again, no answer from {1} to {2}</source>

@@ -10136,12 +10136,12 @@ cette étape …</translation>
         <translation>BOBINES À ZÉRO a été actionné à {0} ; personne ne l’a confirmé</translation>
     </message>
     <message>
-        <source>zero, its output open</source>
-        <translation>zéro, sa sortie ouverte</translation>
+        <source>zero, output open</source>
+        <translation>zéro, sortie ouverte</translation>
     </message>
     <message>
-        <source>zero, its output not open</source>
-        <translation>zéro, sa sortie non ouverte</translation>
+        <source>zero, output not open</source>
+        <translation>zéro, sortie non ouverte</translation>
     </message>
     <message>
         <source>{0}: answers again, no answer from {1} to {2}</source>

@@ -25,7 +25,7 @@ from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_heard import looked_at, named_before, wrong
 from labcal.gui.viewmodels.lab_now import LabNow, mark_of, off_words, platform_mark, platform_said
-from labcal.gui.viewmodels.lab_off import how_it_ended, switched_off
+from labcal.gui.viewmodels.lab_off import coils_ended, switched_off
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
 from labcal.gui.viewmodels.run import RunViewModel
@@ -141,9 +141,7 @@ class CoilsOff(QObject):
     def _known(self, said: SwitchedOff) -> None:
         window = self._window
         names = window.run.links
-        words = "; ".join(
-            f"{one.axis}: {how_it_ended(named_links(one.words, names, brief=True))}" for one in said.coils
-        )
+        words = coils_ended((one.axis, named_links(one.words, names, brief=True)) for one in said.coils)
         zero = all(axis.ok for axis in said.coils)
         window.kept.answered()
         self.earlier.take(said.earlier)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Iterable
 from dataclasses import replace
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
@@ -15,15 +16,23 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
 OUTPUTS = {
-    "zero, open": QT_TRANSLATE_NOOP("Words", "zero, its output open"),
-    "zero, not open": QT_TRANSLATE_NOOP("Words", "zero, its output not open"),
+    "zero, open": QT_TRANSLATE_NOOP("Words", "zero, output open"),
+    "zero, not open": QT_TRANSLATE_NOOP("Words", "zero, output not open"),
 }
 
 
-def how_it_ended(words: str) -> str:
+def _how_it_ended(words: str) -> str:
     """What is said of a coil that was switched off, in the window's language; what is open is its output."""
     ended = OUTPUTS.get(words)
     return in_words(words) if ended is None else translated(str(ended))
+
+
+def coils_ended(ends: Iterable[tuple[str, str]]) -> str:
+    """Of all coils, each by its axis and how it ended; those that ended alike are named together."""
+    axes: dict[str, list[str]] = {}
+    for axis, words in ends:
+        axes.setdefault(_how_it_ended(words), []).append(axis)
+    return "; ".join(f"{', '.join(alike)}: {words}" for words, alike in axes.items())
 
 
 def coil_read(said: CoilEnd) -> state.CoilReading:

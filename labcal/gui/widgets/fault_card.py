@@ -69,7 +69,7 @@ class FaultCard(WholeCard):
         self.hands = label("", "title", wrap=True)
         self.hands.setAccessibleName(self.tr("Whether hands may go in"))
         self.hands_timer = QTimer(self, interval=HANDS_MS)
-        self.hands_timer.timeout.connect(self.say_hands)
+        self.hands_timer.timeout.connect(self._say_hands_again)
         self.fault: Fault | None = None
         self._tells_coils = False
         self.gravest = label("", "large", wrap=True)  # in place of the heading: nothing on the card is larger
@@ -108,7 +108,9 @@ class FaultCard(WholeCard):
         said = (self.text, self.coils, self.platform, self.remedy, self.meaning)
         for part in (self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said):
             self.body.addWidget(part)
-        self._kept = KeptLines(self.gravest, self.by_hand, self.not_read, self.turning, self.coils)
+        lines = self.gravest, self.by_hand, self.not_read, self.turning, self.hands, *said
+        self._kept = KeptLines(*lines, apart_px=self.body.spacing())
+        self.body.addWidget(self._kept)
         self.body.addLayout(row)
         self.body.addWidget(self.details)  # it opens downward: its button stays below the mouse
         self.hide()
@@ -170,9 +172,10 @@ class FaultCard(WholeCard):
             holder.ensureWidgetVisible(self)
 
     def say_not_read(self, supplies: Sequence[str]) -> None:
-        """Whom nobody has asked yet; a line of their own is kept for them, so that nothing moves below it."""
-        self.not_read.setText(not_read_words(supplies) or " ")
-        self.not_read.setVisible(not self.by_hand.isHidden())
+        """Whom nobody has asked yet."""
+        self.not_read.setText(not_read_words(supplies))
+        self.not_read.setVisible(bool(supplies) and not self.by_hand.isHidden())
+        self._kept.fit()
 
     def say_coils(self, words: str, supplies: Sequence[str] = (), known: str = "", *, pressed: bool = False) -> None:
         """How the coils are left, below what happened; which `supplies` a person switches off goes before all else.
@@ -198,11 +201,13 @@ class FaultCard(WholeCard):
                 self.details.setPlainText(details)
             self.fold.show()
         self._say_coils_once()
+        self._kept.fit()
 
     def say_gravest(self, known: str) -> None:
         """In the largest letters what is `known`, in place of what may be."""
         if self.fault is not None:
             self.gravest.setText(known or translated(TITLES[self.fault.kind]))
+            self._kept.fit()
 
     def let_check_zero(self, may: bool) -> None:
         """Whether a zero is in doubt that can be measured again: every supply says that it is one."""
@@ -221,7 +226,12 @@ class FaultCard(WholeCard):
             set_state(self.hands, mark)
         self.hands.setVisible(lost)
         self._say_coils_once()
+        self._kept.fit()
         self.hands_timer.start() if lost else self.hands_timer.stop()
+
+    def _say_hands_again(self) -> None:
+        self._kept.keep()
+        self.say_hands()
 
     def _say_coils_once(self) -> None:
         """What is said beside "Hands may go in" is not said again below it."""
@@ -230,7 +240,6 @@ class FaultCard(WholeCard):
 
     def say_platform(self, words: str) -> None:
         """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
-        self._kept.keep()
         shape, mark = platform_mark(words)
         keep_off = mark in ("warning", "bad")
         for place, shown in ((self.turning, keep_off), (self.platform, not keep_off)):

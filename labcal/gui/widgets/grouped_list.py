@@ -2,8 +2,19 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, Qt
-from PySide6.QtWidgets import QAbstractItemView, QListWidget
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
+from PySide6.QtWidgets import QAbstractItemView, QListWidget, QStyledItemDelegate, QStyleOptionViewItem
+
+from labcal.gui.theming.theme import ITEM_PX
+
+
+class WholeItems(QStyledItemDelegate):
+    """Items with the lines that they have within the style sheet's padding; Qt counts them for the whole width."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QSize:
+        """As high as its lines are."""
+        option.rect.adjust(0, 0, -2 * ITEM_PX, 0)
+        return super().sizeHint(option, index)
 
 
 class GroupedList(QListWidget):
@@ -13,6 +24,7 @@ class GroupedList(QListWidget):
         super().__init__()
         self.setWordWrap(True)  # a heading that is too long for its line takes two
         self.setResizeMode(QListWidget.ResizeMode.Adjust)
+        self.setItemDelegate(WholeItems(self))
 
     def moveCursor(self, action: QAbstractItemView.CursorAction, modifiers: Qt.KeyboardModifier) -> QModelIndex:
         """Where a key leads to; from a heading on to what is below it."""

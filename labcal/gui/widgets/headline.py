@@ -25,12 +25,19 @@ class RunHeadline(AutoSizeLabel):
         if state != self._state:
             self._state = state
             self._show()
+            self._be_placed()
         self.set_text(words)
 
     def set_theme(self, theme: Theme) -> None:
         """In the theme's colours."""
         self._theme = theme
         self._show()
+
+    def _be_placed(self) -> None:
+        """At once: in a frame before Qt lays it out an alarm would be cut in the middle of a line."""
+        card = self.parentWidget()
+        if card is not None and (layout := card.layout()) is not None and self.isVisible():
+            layout.activate()
 
     def _show(self) -> None:
         least, most = HIGH if self._state == "bad" else LOW

@@ -15,7 +15,7 @@ from labcal.gui.widgets.common import Card, plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
 from labcal.record.stream import Measurement
 
-NAME_PX = 18 * GRID
+NAME_PX = LEAST_PX = 18 * GRID  # of a name, and of the card
 NAME_PADDING_PX = 26  # of a cell by the style sheet, and what Qt keeps beside it
 QWIDGETSIZE_MAX = 16_777_215  # Qt's word for no limit
 FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
@@ -222,12 +222,12 @@ class Measurements(Table):
 
 
 class MeasuredCard(Card):
-    """The table alone on a card, a few rows of it always in sight."""
+    """The table alone on a card, a few rows of it always in sight, and the newest however many lines it has."""
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self.table = Measurements(theme)
-        self.setMinimumHeight(18 * GRID)
+        self.setMinimumHeight(LEAST_PX)
         self.body.addWidget(self.table, 1)
         self.body.addStretch()
         self.table.verticalHeader().geometriesChanged.connect(self._end_with_a_row)
@@ -243,6 +243,8 @@ class MeasuredCard(Card):
         around = 0 if margins is None else margins.contentsMargins().top() + margins.contentsMargins().bottom()
         bar = table.horizontalScrollBar()
         high = table.horizontalHeader().height() + 2 * table.frameWidth() + (bar.height() if bar.isVisible() else 0)
+        least = around + high + (table.rowHeight(0) if table.rowCount() else 0)
+        self.setMinimumHeight(max(LEAST_PX, least))
         room, row = self.height() - around, 0
         while row < table.rowCount() and high + table.rowHeight(row) <= room:
             high, row = high + table.rowHeight(row), row + 1

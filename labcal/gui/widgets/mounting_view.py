@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from math import atan2, cos, degrees, radians, sin
 from typing import Any
 
@@ -23,7 +24,7 @@ RIGHT = np.array([cos(TURN), sin(TURN), 0.0])
 UP = np.array([-sin(TURN) * sin(TILT), cos(TURN) * sin(TILT), cos(TILT)])
 TOWARD = np.cross(RIGHT, UP)
 BOX = np.array([0.46, 0.36, 0.28])  # half sizes along body x, y, z
-WIDE, ABOVE, BELOW_IT = 3.3, 1.7, 0.9  # that the drawing has, in radii of the platform; and above and below its centre
+WIDE, ABOVE, BELOW_IT = 3.0, 1.7, 0.9  # that the drawing has, in radii of the platform; and above and below its centre
 EDGE_PX = 2.0
 BELOW = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
 FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]
@@ -135,7 +136,7 @@ class Mounting(QWidget):
         rim = 1.0 * rotate(axis, np.radians(np.arange(0, 361, 6.0)), side)
         painter.setPen(QPen(QColor(self._theme.muted), 1.2))
         painter.setBrush(QColor(self._theme.sunken))
-        painter.drawPolygon(QPolygonF([self._at(p) for p in rim]))
+        self._outline(painter, [self._at(p) for p in rim])
         for direction, name in zip(np.eye(3), ("cage X", "cage Y", ""), strict=True):
             flat = direction - (direction @ axis) * axis
             if name and np.linalg.norm(flat) > 0.3:
@@ -149,7 +150,12 @@ class Mounting(QWidget):
             painter.setBrush(
                 fill.darker(100 + 6 * axis) if self._theme.name == "light" else fill.lighter(112 + 10 * axis)
             )
-            painter.drawPolygon(QPolygonF([self._at(centre + body.T @ corner) for corner in _corners(axis, sign)]))
+            self._outline(painter, [self._at(centre + body.T @ corner) for corner in _corners(axis, sign)])
+
+    def _outline(self, painter: QPainter, corners: list[QPointF]) -> None:
+        """Filled, and its edges are lines that no name is to stand on."""
+        painter.drawPolygon(QPolygonF(corners))
+        self._lines += [QLineF(a, b) for a, b in pairwise([*corners, corners[0]])]
 
     def _paint_axes(self, painter: QPainter, body: Array, centre: Array) -> None:
         order = sorted(range(3), key=lambda n: float(body[n] @ TOWARD))

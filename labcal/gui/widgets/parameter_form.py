@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QLocale, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -50,6 +50,12 @@ def _one(value: Any) -> str:
     return f"{value:g}" if isinstance(value, float) and abs(value) < 1e6 else str(value)
 
 
+def as_written(spec: ParameterSpec, text: str) -> str:
+    """A number with the decimal mark of the window's language, as readings have it; between several stand commas."""
+    alone = spec.kind in ("number", "integer") and not spec.many
+    return text.replace(".", QLocale().decimalPoint()) if alone else text
+
+
 def _as_typed(spec: ParameterSpec, text: str) -> str:
     try:
         return as_text(spec, spec.parse(text))
@@ -61,7 +67,8 @@ def range_of(spec: ParameterSpec) -> str:
     """What is allowed, short: "1000 … 100000 nT"."""
     if spec.limits is None:
         return translated("several, with commas") if spec.many else ""
-    low, high = (np.format_float_positional(limit, trim="-") for limit in (spec.limits.lo, spec.limits.hi))
+    limits = (np.format_float_positional(limit, trim="-") for limit in (spec.limits.lo, spec.limits.hi))
+    low, high = (as_written(spec, limit) for limit in limits)
     return f"{low} … {high} {spec.unit}".rstrip()
 
 
@@ -168,7 +175,7 @@ class ParameterForm(QWidget):
             chooser.setCurrentIndex(max(0, chooser.findData(as_text(spec, spec.default))))  # this DUT may not have it
             chooser.currentTextChanged.connect(self._check)
             return chooser
-        line = QLineEdit(as_text(spec, spec.default))
+        line = QLineEdit(as_written(spec, as_text(spec, spec.default)))
         if spec.kind in ("number", "integer") and not spec.many:
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
         if spec.kind in ("number", "integer"):
@@ -205,22 +212,24 @@ class ParameterForm(QWidget):
         """Write in what is stated as `--set` takes it; what is not accepted too, which its field then says."""
         for spec in self._specs:
             if spec.name in settings:
-                self.set_text(spec.name, _as_typed(spec, settings[spec.name]))
+                self.set_text(spec.name, as_written(spec, _as_typed(spec, settings[spec.name])))
 
     def is_usual(self) -> bool:
         """Whether every field is as it was at first."""
-        return all(self.text(spec.name) == self._default(spec) for spec in self._specs)
+        return all(self.text(spec.name) == self._usual(spec) for spec in self._specs)
 
     def make_usual(self) -> None:
         """Every field as it was at first."""
         for spec in self._specs:
-            self.set_text(spec.name, self._default(spec))
+            self.set_text(spec.name, self._usual(spec))
 
     def stated(self, spec: ParameterSpec) -> str:
         """What stands in a field, as `--set` takes it: with a point. Raises NotClear."""
         text = self.text(spec.name)
         none = spec.optional and text.strip().lower() in ("", "none")
-        if spec.kind not in ("number", "integer") or none or text == self._default(spec):
+        if text == self._usual(spec):
+            return self._default(spec)
+        if spec.kind not in ("number", "integer") or none:
             return text
         return numbers_stated(text) if spec.many else number_stated(text)
 
@@ -265,6 +274,10 @@ class ParameterForm(QWidget):
     def _default(self, spec: ParameterSpec) -> str:
         return "no" if spec.kind == "switch" and not spec.default else as_text(spec, spec.default)
 
+    def _usual(self, spec: ParameterSpec) -> str:
+        """The default as it is written in its field."""
+        return as_written(spec, self._default(spec))
+
     def _fold(self) -> None:
         """Show the folded settings, or of them only what is not as usual."""
         self.more.setText(
@@ -273,7 +286,7 @@ class ParameterForm(QWidget):
             )
         )
         for spec in self._folded:
-            unusual = self.text(spec.name) != self._default(spec) or bool(self.objection(spec))
+            unusual = self.text(spec.name) != self._usual(spec) or bool(self.objection(spec))
             for part in self._parts[spec.name]:
                 part.setVisible(self.more.isChecked() or unusual or part.hasFocus())
 

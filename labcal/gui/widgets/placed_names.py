@@ -14,6 +14,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF
 AWAY_PX = (8.0, 20.0, 34.0, 50.0, 70.0)
 ASIDE = (0.0, 0.5, -0.5, 1.0, -1.0, 1.7, -1.7, 2.4, -2.4)  # rad, from along the arrow
 APART_PX = 6.0  # two names that touch are read as one
+OFF_PX = 2.0  # a line that touches a name is read as a part of it
 POINTS = 24  # of a line that are looked at
 OVER_NAME, ON_LINE, FAR, TURNED = 1000.0, 60.0, 1.0, 4.0  # what they cost: a px², a point, a px, a rad
 
@@ -49,5 +50,6 @@ def _at(tip: Tip, away: float, aside: float, within: QRectF) -> QRectF:
 def _cost(place: QRectF, taken: Sequence[QRectF], points: NDArray[np.float64]) -> float:
     over = (place.intersected(other.adjusted(-APART_PX, -APART_PX, APART_PX, APART_PX)) for other in taken)
     area = sum(one.width() * one.height() for one in over if one.isValid())
-    low, high = (place.left(), place.top()), (place.right(), place.bottom())
+    room = place.adjusted(-OFF_PX, -OFF_PX, OFF_PX, OFF_PX)
+    low, high = (room.left(), room.top()), (room.right(), room.bottom())
     return OVER_NAME * area + ON_LINE * int(((points >= low) & (points <= high)).all(axis=1).sum())

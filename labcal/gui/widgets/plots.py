@@ -262,7 +262,7 @@ class Loci(QWidget):
                 ((theme.after, 255), (theme.before, BEFORE_ALPHA)), clouds, strict=False
             ):
                 front.setPen(pg.mkPen(with_alpha(colour, front_alpha), width=2))
-                behind.setPen(pg.mkPen(with_alpha(colour, front_alpha // 3)))
+                behind.setPen(pg.mkPen(with_alpha(colour, front_alpha // 3), width=2))
         for widget in self.plots:  # directions need no axes
             for side in ("bottom", "left"):
                 axis = widget.getPlotItem().getAxis(side)

@@ -32,13 +32,14 @@ from labcal.gui.widgets.common import button, label, named, plain, set_state
 from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.hold_button import KEYS, HoldButton
 from labcal.gui.widgets.mounting_view import Mounting
+from labcal.gui.widgets.notes_room import NotesRoom
 from labcal.gui.widgets.order_label import OrderLabel
 from labcal.gui.widgets.rolled import Rolled
 from labcal.gui.widgets.whole_card import UncutCard
 from labcal.record.stream import Prompt
 
 CALLS_EVERY_MS = 20_000  # while nobody answers
-WORDED, PICTURED = 3, 2  # of the width, for words and drawing
+WORDED, PICTURED, CROWDED = 15, 13, 5  # of the width, for words and drawing; for this where words need room
 DEAD_MS = 1000  # from when a question is seen until it may be answered: a second click was meant for the one before it
 STANDS = "mounting-stands"  # the question whether the DUT stands as before an interruption
 ANOTHER_DUT = "another-dut"  # the question whether a DUT that names another serial is measured all the same
@@ -84,8 +85,9 @@ class PromptCard(UncutCard):
         self.anew = label(
             self.tr("The simulated bench began anew: its platform is at its zero, nothing has turned."), wrap=True
         )
-        told = self.details, self.moved, self.text.below, self.serials
-        for said in (self.hands, *told, self.lab, self.stands, self.anew):
+        self._room = NotesRoom(self.details, self.moved, apart_px=words.spacing())
+        told = self.text.below, self.details, self.moved, self.serials, self._room
+        for said in (self.hands, self.lab, self.stands, self.anew, *told):
             words.addWidget(said)  # the gravest first: they roll where there is no room for all
         self.entry = QLineEdit()
         self.entry.returnPressed.connect(self._enter)
@@ -150,8 +152,9 @@ class PromptCard(UncutCard):
         """Between words and drawing; where that is hidden Qt would keep half of the card for it."""
         pictured = any(one.isVisibleTo(self) for one in (self.drawing, self.camera))
         usual = self._row.geometry().width() * WORDED // (WORDED + PICTURED)
-        share = 1 if self._rolled.crowded(usual) else PICTURED  # what is said of hands comes first
-        self._row.setStretch(1, pictured * share)
+        crowded = self._rolled.crowded(usual)
+        self._row.setStretch(1, pictured * (CROWDED if crowded else PICTURED))  # what is said of hands comes first
+        self._room.fit(kept=not crowded)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another width: other lines."""
@@ -257,6 +260,7 @@ class PromptCard(UncutCard):
         """What a silence has moved, once everybody answers again; "" where there was none."""
         self.moved.setText(words)
         self.moved.setVisible(bool(words) and not self._lost)
+        self._share_width()
 
     def say_serials(self, others: Sequence[tuple[str, str]]) -> None:
         """Who names another serial than is stated, where something is mounted or a serial is asked for."""
@@ -302,6 +306,7 @@ class PromptCard(UncutCard):
             words = seen_to if self._lost else self._back
         self.details.setText(words)
         self.details.setVisible(bool(words))
+        self._share_width()
 
     def _call(self) -> None:
         """A window that was closed over a question asks nobody."""

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QLayout, QScrollArea, QWidget
 from labcal.gui.theming.theme import GRID
 
 LEAST_PX, MOST_LINES = 16 * GRID, 14  # of them that are in sight without a bar; with more of it buttons would move
-CROWDED_LINES = 9  # from there on what stands beside them gives way
 
 
 class Rolled(QScrollArea):
@@ -73,14 +72,11 @@ class Rolled(QScrollArea):
                 self.setMinimumHeight(least)
 
     def crowded(self, width: int) -> bool:
-        """Whether the gravest words, as wide as this, would end below what is always in sight."""
+        """Whether the gravest words, as wide as this, would end below the middle: what stands above has to be large."""
         layout, first = self._holder.layout(), self._first
         if layout is None or first is None:
             return False
-        return (
-            self._end(layout, first, width - self.width() + self.viewport().width())
-            > CROWDED_LINES * first.fontMetrics().height()
-        )
+        return 2 * self._end(layout, first, width - self.width() + self.viewport().width()) > self.height()
 
     def _least(self, layout: QLayout, first: QWidget) -> int:
         """What of it is to be in sight without a bar, at this width."""

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.number_format import step_title
+from labcal.gui.widgets.grouped_list import WholeItems
 
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 
@@ -23,6 +24,7 @@ class StepList(QListWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWordWrap(True)
         self.setResizeMode(QListWidget.ResizeMode.Adjust)
+        self.setItemDelegate(WholeItems(self))
 
     def show_steps(self, steps: Sequence[tuple[str, str]], theme: Theme) -> None:
         """Each step by its name, and how it stands: a key of `SHAPES`."""

@@ -45,14 +45,20 @@ class TimeLeft(QWidget):
     def show_now(self, now: LabNow) -> None:
         """The bar, and the words, beside what is said of the lab."""
         self.show_share()
-        self._give_room()
+        self._give_room(alarmed=bool(alarm_of(now.coil_words)))
         self.until.setText(words := self._until(now))
         self.until.setVisible(bool(words))
         self.left.setText(self._left())
 
-    def _give_room(self) -> None:
-        """As long as a run goes on: what stands below moves with no word that comes or goes."""
-        run = self._run
+    def _give_room(self, *, alarmed: bool) -> None:
+        """As long as a run goes on: what stands below moves with no word that comes or goes.
+
+        Below a card that warns of coils, which needs the room, nothing is promised, and no room is kept for that.
+        """
+        run, keeps = self._run, self.until.sizePolicy()
+        if keeps.retainSizeWhenHidden() is alarmed:
+            keeps.setRetainSizeWhenHidden(not alarmed)
+            self.until.setSizePolicy(keeps)
         wanted = (run.names if run.alive else (), faster_than_life(run.order, run.virtual_time))
         if wanted == self._room:
             return

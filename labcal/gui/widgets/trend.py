@@ -19,6 +19,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.widgets.common import Card, label
 from labcal.gui.widgets.idle_queue import IdleQueue
+from labcal.gui.widgets.plot_letters import fit_letters
 from labcal.gui.widgets.plots import apply_theme, legend_above, plot
 
 DAY_S = 86_400.0  # a trend shows at least a day on either side
@@ -111,6 +112,7 @@ class Trend(Card):
         self.plot = plot(theme, "", "")
         self.plot.setMinimumHeight(LEAST_PX)
         self.plot.getPlotItem().setAxisItems({"bottom": pg.DateAxisItem()})
+        fit_letters(self.plot)  # the new axis has pyqtgraph's own
         self.none = label(
             self.tr("No calibration of this DUT yet: its parameters and their U come up here, one dot a day."),
             wrap=True,
