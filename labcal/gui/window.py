@@ -295,6 +295,7 @@ class Window(Frame):
 
     def _page_turned(self) -> None:
         self.app_state.said_at_the_end.put_away(self.page_shown())
+        self.app_state.refused.put_away()
         self.app_state.one_dut.settle()
         self.shown_bar.show_page(self.page_shown())
         self._show_next()
@@ -352,8 +353,7 @@ class Window(Frame):
         return self._say_coils()
 
     def _fault_is_over(self, fault: Fault) -> None:
-        if self.fault.fault is fault:
-            self.fault.show_fault(None)
+        self.fault.show_fault(None if self.fault.fault is fault else self.fault.fault)
 
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""

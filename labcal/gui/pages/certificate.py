@@ -278,7 +278,7 @@ class CertificatePage(QWidget):
         path = self._app_state.path
         step = to_be_done([step.mark for step in stands])
         path.take_step(one, step)
-        self.to_do.setText(comes_first(path, one) or next_is(step))
+        self.to_do.setText(comes_first(path, one) or next_is(path, one, step))
         self.doubt.setText(" ".join(filter(None, (doubts(one), not_traced(path, one)))))
         for part in (self.to_do, self.doubt):
             part.setVisible(bool(part.text()))

@@ -1483,6 +1483,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} is not a key that is known here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}; nothing was made</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6861,10 +6869,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Country, as DE or Germany</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A country is two letters, as DE, or its name.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6878,6 +6882,10 @@ after this step …</source>
     </message>
     <message>
         <source>Laboratory: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7687,6 +7695,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>all answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7841,7 +7853,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>in a table: in the order of the column beside</source>
+        <source>in a table: in the order of the column at the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column at the left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7972,6 +7988,10 @@ after this step …</source>
     </message>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench is being opened …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9559,6 +9579,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>None was when it was approved, and none can be added any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10123,6 +10147,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>To do here: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10276,6 +10304,10 @@ after this step …</source>
     </message>
     <message>
         <source>Being fitted: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench that was open stays open: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1483,6 +1483,14 @@
         <translation>Messung {0} ist nicht fortzusetzen: sie ist {1}</translation>
     </message>
     <message>
+        <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
+        <translation>{0}: ist keine Datei eines Messplatzes: Nichts, was darin steht, gehört zu einem</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is not a key that is known here</source>
+        <translation>{0}: {1} ist kein Schlüssel, der hier bekannt ist</translation>
+    </message>
+    <message>
         <source>{0}; nothing was made</source>
         <translation>{0}; nichts wurde gemacht</translation>
     </message>
@@ -6862,10 +6870,6 @@ diesem Schritt …</translation>
         <translation>Ort</translation>
     </message>
     <message>
-        <source>Country, as DE or Germany</source>
-        <translation>Land, etwa DE oder Deutschland</translation>
-    </message>
-    <message>
         <source>A country is two letters, as DE, or its name.</source>
         <translation>Ein Land sind zwei Buchstaben, etwa DE, oder sein Name.</translation>
     </message>
@@ -6880,6 +6884,10 @@ diesem Schritt …</translation>
     <message>
         <source>Laboratory: {0}</source>
         <translation>Labor: {0}</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Land, etwa DE</translation>
     </message>
     <message>
         <source>Customer: {0}</source>
@@ -7688,6 +7696,10 @@ diesem Schritt …</translation>
         <translation>Kein Messplatz ist offen.</translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation>Der Messplatz wird geöffnet …</translation>
+    </message>
+    <message>
         <source>all answer</source>
         <translation>alle antworten</translation>
     </message>
@@ -7842,8 +7854,12 @@ diesem Schritt …</translation>
         <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
     </message>
     <message>
-        <source>in a table: in the order of the column beside</source>
-        <translation>in einer Tabelle: nach der Spalte daneben sortiert</translation>
+        <source>in a table: in the order of the column at the right</source>
+        <translation>in einer Tabelle: nach der Spalte rechts daneben sortiert</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column at the left</source>
+        <translation>in einer Tabelle: nach der Spalte links daneben sortiert</translation>
     </message>
     <message>
         <source>in a table: its order turned round</source>
@@ -7942,6 +7958,10 @@ diesem Schritt …</translation>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
         <translation>✕ Nicht bereit: {0}. Siehe die Seite Messplatz.</translation>
+    </message>
+    <message>
+        <source>The bench is being opened …</source>
+        <translation>Der Messplatz wird geöffnet …</translation>
     </message>
     <message>
         <source>not known</source>
@@ -9560,6 +9580,10 @@ diesem Schritt …</translation>
         <translation>So wurde es bei der Genehmigung angegeben.</translation>
     </message>
     <message>
+        <source>None was when it was approved, and none can be added any more.</source>
+        <translation>Bei der Genehmigung wurde keiner angegeben, und es kann keiner mehr dazukommen.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
     </message>
@@ -10124,6 +10148,10 @@ diesem Schritt …</translation>
         <translation>▲ Rest nicht erklärt: {0} nT von |b| bleiben über die Abbildung hinaus übrig, und niemand hat nach ihrer Ursache gesucht.</translation>
     </message>
     <message>
+        <source>To do here: {0}</source>
+        <translation>Hier zu tun: {0}</translation>
+    </message>
+    <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation>▲ Rest nicht erklärt: Niemand hat nach der Ursache dessen gesucht, was über die Abbildung hinaus übrig bleibt.</translation>
     </message>
@@ -10278,6 +10306,10 @@ diesem Schritt …</translation>
     <message>
         <source>Being fitted: {0}</source>
         <translation>Wird gefittet: {0}</translation>
+    </message>
+    <message>
+        <source>The bench that was open stays open: {0}.</source>
+        <translation>Der Messplatz, der offen war, bleibt offen: {0}.</translation>
     </message>
 </context>
 <context>

@@ -1483,6 +1483,14 @@
         <translation>la mesure {0} n&apos;est pas à continuer : elle est {1}</translation>
     </message>
     <message>
+        <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
+        <translation>{0} : ce n’est pas un fichier de banc : rien de ce qui s’y trouve n’est d’un banc</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is not a key that is known here</source>
+        <translation>{0} : {1} n’est pas une clé connue ici</translation>
+    </message>
+    <message>
         <source>{0}; nothing was made</source>
         <translation>{0} ; rien n&apos;a été fait</translation>
     </message>
@@ -6862,10 +6870,6 @@ cette étape …</translation>
         <translation>Ville</translation>
     </message>
     <message>
-        <source>Country, as DE or Germany</source>
-        <translation>Pays, par exemple FR ou France</translation>
-    </message>
-    <message>
         <source>A country is two letters, as DE, or its name.</source>
         <translation>Un pays s’écrit en deux lettres, comme FR, ou par son nom.</translation>
     </message>
@@ -6880,6 +6884,10 @@ cette étape …</translation>
     <message>
         <source>Laboratory: {0}</source>
         <translation>Laboratoire : {0}</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Pays, comme FR</translation>
     </message>
     <message>
         <source>Customer: {0}</source>
@@ -7186,11 +7194,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Hand it out, as {0}</source>
-        <translation>Remettre, comme {0}</translation>
+        <translation>Remettre le certificat, comme {0}</translation>
     </message>
     <message>
         <source>Hand it out</source>
-        <translation>Remettre</translation>
+        <translation>Remettre le certificat</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -7688,6 +7696,10 @@ cette étape …</translation>
         <translation>Aucun banc n&apos;est ouvert.</translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation>L&apos;ouverture du banc est en cours …</translation>
+    </message>
+    <message>
         <source>all answer</source>
         <translation>tous répondent</translation>
     </message>
@@ -7842,8 +7854,12 @@ cette étape …</translation>
         <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
     </message>
     <message>
-        <source>in a table: in the order of the column beside</source>
-        <translation>dans une table : dans l&apos;ordre de la colonne voisine</translation>
+        <source>in a table: in the order of the column at the right</source>
+        <translation>dans une table : dans l&apos;ordre de la colonne de droite</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column at the left</source>
+        <translation>dans une table : dans l&apos;ordre de la colonne de gauche</translation>
     </message>
     <message>
         <source>in a table: its order turned round</source>
@@ -7942,6 +7958,10 @@ cette étape …</translation>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
         <translation>✕ Pas prêt : {0}. Voir la page Banc.</translation>
+    </message>
+    <message>
+        <source>The bench is being opened …</source>
+        <translation>L&apos;ouverture du banc est en cours …</translation>
     </message>
     <message>
         <source>not known</source>
@@ -9560,6 +9580,10 @@ cette étape …</translation>
         <translation>Ainsi indiqué à l’approbation.</translation>
     </message>
     <message>
+        <source>None was when it was approved, and none can be added any more.</source>
+        <translation>Aucun ne l’était lors de l’approbation, et aucun ne peut plus être ajouté.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>AMBIGU : {0} est provisoire ; {1} peut aussi être la cause.</translation>
     </message>
@@ -9833,11 +9857,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
-        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur elles.</translation>
+        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur ces estimations.</translation>
     </message>
     <message>
         <source>Estimates on the way: 1 note; no verdict rests on it.</source>
-        <translation>Estimations en cours de route : 1 note ; aucun verdict ne repose sur elle.</translation>
+        <translation>Estimations en cours de route : 1 note ; aucun verdict ne repose sur cette estimation.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
@@ -10124,6 +10148,10 @@ cette étape …</translation>
         <translation>▲ Résidu non expliqué : {0} nT de |b| restent au-delà de la transformation, et personne n&apos;en a cherché la cause.</translation>
     </message>
     <message>
+        <source>To do here: {0}</source>
+        <translation>À faire ici : {0}</translation>
+    </message>
+    <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation>▲ Résidu non expliqué : personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
     </message>
@@ -10278,6 +10306,10 @@ cette étape …</translation>
     <message>
         <source>Being fitted: {0}</source>
         <translation>Ajustement en cours : {0}</translation>
+    </message>
+    <message>
+        <source>The bench that was open stays open: {0}.</source>
+        <translation>Le banc qui était ouvert le reste : {0}.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,129 @@
+"""What two technicians stumbled over in one evening: clicks that did nothing, words that said what was not so."""
+
+import ast
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLabel, QLineEdit, QPushButton
+from test_nothing_is_cut import settle
+
+import labcal.gui
+from labcal.bench.config import read_config
+from labcal.errors import InputError
+from labcal.gui.ipc.messages import ReadBench
+from labcal.gui.ipc.wire import fault_of
+from labcal.gui.translations import translate
+from labcal.gui.viewmodels.hands import coming
+from labcal.gui.widgets.key_sheet import KeySheet
+from labcal.record.stream import Prompt
+
+GUI = Path(labcal.gui.__file__).parent
+
+
+@pytest.fixture
+def in_language(qapp):
+    yield lambda code: translate.install_translator(qapp, QLocale(code))
+    translate.install_translator(qapp, QLocale("en"))
+
+
+def click(dialog, button):
+    """As a person's: what popped up over the dialog has the mouse."""
+    under = QApplication.activePopupWidget() or dialog
+    at = under.mapFromGlobal(button.mapToGlobal(button.rect().center()))
+    QTest.mouseClick(under.windowHandle(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, at)
+
+
+@pytest.mark.parametrize("which", ["Open", "COILS OFF"])
+def test_the_first_click_counts_where_a_path_was_typed(new_window, tmp_path, qtbot, which):
+    (tmp_path / "served.toml").write_text("", encoding="utf-8")
+    dialog, heard = QFileDialog(new_window, "Open", str(GUI)), []
+    dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
+    dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+    dialog.accepted.connect(lambda: heard.append("Open"))
+    new_window.coils_off.connect(lambda: heard.append("COILS OFF"))
+    dialog.show()
+    field = dialog.findChild(QLineEdit, "fileNameEdit")
+    settle(new_window)
+    QTest.keyClicks(field, str(tmp_path / "served.toml"))
+    qtbot.wait(300)  # for what its list of files would offer
+    accept = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Open)
+    click(dialog, accept if which == "Open" else dialog.findChild(QPushButton, "off"))
+    assert heard == [which]
+    dialog.close()
+
+
+def test_the_sheet_of_keys_is_as_high_as_its_rows_where_there_is_room(new_window):
+    new_window.resize(1360, 1060)
+    new_window.show_keys()
+    settle(new_window)
+    (sheet,) = new_window.findChildren(KeySheet)
+    assert sheet.area.verticalScrollBar().maximum() == 0
+    sheet.close()
+
+
+def test_no_two_keys_are_said_to_do_the_same(new_window):
+    listed = new_window.keys()
+    said = [words for _, words in listed]
+    assert sorted(said) == sorted(set(said))
+
+
+def test_after_a_colon_a_sentence_goes_on_with_a_small_letter_but_in_german(in_language):
+    asked = Prompt(0.0, "ready", "The coils go to 50 µT. Hands off?")
+    assert coming(asked, "The coils go to 50 µT.") == "Next: the coils go to 50 µT."
+    assert coming(asked, "DUT and coils.") == "Next: DUT and coils."
+    in_language("de")
+    assert coming(asked, "Die Spulen gehen auf 50 µT.").endswith(": Die Spulen gehen auf 50 µT.")
+
+
+def test_every_word_that_a_widget_shows_by_itself_is_in_the_ts_file(in_language):
+    """`translated("…")` is read by no tool: what stands in no table stayed English."""
+    said = {
+        call.args[0].value
+        for path in GUI.rglob("*.py")
+        for call in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(call, ast.Call)
+        and getattr(call.func, "id", "") == "translated"
+        and call.args
+        and isinstance(call.args[0], ast.Constant)
+    }
+    listed = (GUI / "translations" / "labcal_fr.ts").read_text(encoding="utf-8")
+    words = listed.partition("<name>Words</name>")[2].partition("</context>")[0]
+    escaped = {one: one.replace("&", "&amp;").replace("'", "&apos;").replace('"', "&quot;") for one in said}
+    assert "COILS OFF   F12" in said
+    assert {one for one, text in escaped.items() if f"<source>{text}</source>" not in words} == set()
+
+
+def test_a_file_that_is_no_bench_says_so_and_which_bench_stays_and_leaves_with_the_next_page(new_window, tmp_path):
+    (tmp_path / "pyproject.toml").write_text('[build-system]\nrequires = ["hatchling"]\n', encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        read_config(tmp_path / "pyproject.toml")
+    app_state, card = new_window.app_state, new_window.fault
+    before = app_state.bench
+    for leaves in (
+        lambda: new_window.open_page("History"),
+        lambda: app_state.bench_known(before, app_state.facts),
+    ):
+        new_window.open_page("Bench")
+        app_state.open_bench(str(tmp_path / "pyproject.toml"))
+        asked = next(one for one in reversed(app_state.quick_worker.asked) if isinstance(one.command, ReadBench))
+        asked.failed(fault_of(refused.value))
+        assert "is no bench file" in card.text.text()
+        assert card.remedy.text() == f"The bench that was open stays open: {app_state.facts.name}."
+        assert card.isVisible()
+        assert app_state.bench == before
+        leaves()
+        assert not card.isVisible()
+
+
+def test_while_a_bench_is_opened_nothing_says_that_none_is_open(new_window):
+    app_state = new_window.app_state
+    new_window.open_page("Start")
+    app_state.facts = None
+    app_state.lab.update(bench="", opening=True)
+    said = [one.text() for one in new_window.findChildren(QLabel) if one.isVisible()]
+    assert "The bench is being opened …" in said
+    assert "No bench is open." not in said
+    app_state.lab.update(opening=False)
+    assert "No bench is open." in [one.text() for one in new_window.findChildren(QLabel) if one.isVisible()]
