@@ -11,11 +11,13 @@ from test_nothing_is_cut import settle
 
 import labcal.gui
 from labcal.bench.config import read_config
+from labcal.bench.coils.state import Heard, LabState
 from labcal.errors import InputError
 from labcal.gui.ipc.messages import ReadBench
-from labcal.gui.ipc.wire import fault_of
+from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.translations import translate
 from labcal.gui.viewmodels.hands import coming
+from labcal.gui.viewmodels.lab_now import lab_now
 from labcal.gui.widgets.key_sheet import KeySheet
 from labcal.record.stream import Prompt
 
@@ -127,3 +129,29 @@ def test_while_a_bench_is_opened_nothing_says_that_none_is_open(new_window):
     assert "No bench is open." not in said
     app_state.lab.update(opening=False)
     assert "No bench is open." in [one.text() for one in new_window.findChildren(QLabel) if one.isVisible()]
+
+
+RAW = {
+    "reference: '#' was answered with '3,057 173  - 6,555', not SER#.": "reference: does not answer as it should.",
+    "address 1 on reversers (modbus-rtu:///dev/pts/0?baud=9600): no valid Modbus reply.": "reversers: no answer.",
+    "address 1 on modbus-rtu:///dev/pts/0?baud=9600: no valid Modbus reply.": "address 1: no answer.",
+}
+
+
+@pytest.mark.parametrize("raw", RAW)
+def test_what_came_over_a_line_is_told_in_plain_words_and_stands_in_the_details(new_window, raw):
+    card = new_window.fault
+    new_window.app_state.fault.emit(Fault("instrument", raw, "Look at its panel."))
+    assert card.text.text() == RAW[raw]
+    assert card.fold.isVisible()
+    assert raw in card.details.toPlainText()
+
+
+@pytest.mark.parametrize("raw", RAW)
+def test_the_list_of_instruments_quotes_no_protocol(raw):
+    known = LabState((), instruments=(Heard("reference", 1.0, raw),))
+    ((_, light, words),) = lab_now(known, 1.0, {"reference": "reference"}, 1.0).lights
+    assert light == "fault"
+    assert words.startswith("does not answer as it should" if "was answered" in raw else "no answer")
+    assert "'" not in words
+    assert "://" not in words

@@ -93,6 +93,8 @@ LAB_FAULTS = (
     ),
     QT_TRANSLATE_NOOP("Data", "{0}: {1} registers came where {2} were asked for."),
     QT_TRANSLATE_NOOP("Data", "{0}: no valid Modbus reply."),
+    QT_TRANSLATE_NOOP("Data", "{0}: does not answer as it should."),
+    QT_TRANSLATE_NOOP("Data", "does not answer as it should."),
     QT_TRANSLATE_NOOP("Data", "{0}: the reply belongs to another request."),
     QT_TRANSLATE_NOOP("Data", "{0}: a program of user {1} is connected to it."),
     QT_TRANSLATE_NOOP("Data", "Ask user {0} to end it, then try again."),

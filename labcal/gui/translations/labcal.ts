@@ -5631,6 +5631,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: does not answer as it should.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not answer as it should.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: the reply belongs to another request.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -5631,6 +5631,14 @@
         <translation>{0}: keine gültige Modbus-Antwort.</translation>
     </message>
     <message>
+        <source>{0}: does not answer as it should.</source>
+        <translation>{0}: antwortet nicht so, wie es soll.</translation>
+    </message>
+    <message>
+        <source>does not answer as it should.</source>
+        <translation>antwortet nicht so, wie es soll.</translation>
+    </message>
+    <message>
         <source>{0}: the reply belongs to another request.</source>
         <translation>{0}: Die Antwort gehört zu einer anderen Anfrage.</translation>
     </message>

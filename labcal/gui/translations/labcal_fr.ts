@@ -5631,6 +5631,14 @@
         <translation>{0} : pas de réponse Modbus valable.</translation>
     </message>
     <message>
+        <source>{0}: does not answer as it should.</source>
+        <translation>{0} : ne répond pas comme il le devrait.</translation>
+    </message>
+    <message>
+        <source>does not answer as it should.</source>
+        <translation>ne répond pas comme il le devrait.</translation>
+    </message>
+    <message>
         <source>{0}: the reply belongs to another request.</source>
         <translation>{0} : la réponse appartient à une autre demande.</translation>
     </message>
