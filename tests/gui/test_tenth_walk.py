@@ -15,6 +15,7 @@ from labcal.bench.coils.state import Heard, LabState
 from labcal.errors import InputError
 from labcal.gui.ipc.messages import ReadBench
 from labcal.gui.ipc.wire import Fault, fault_of
+from labcal.gui.theming.theme import GRID
 from labcal.gui.translations import translate
 from labcal.gui.viewmodels.hands import coming
 from labcal.gui.viewmodels.lab_now import lab_now
@@ -155,3 +156,47 @@ def test_the_list_of_instruments_quotes_no_protocol(raw):
     assert words.startswith("does not answer as it should" if "was answered" in raw else "no answer")
     assert "'" not in words
     assert "://" not in words
+
+
+def test_coils_off_and_the_hands_are_in_sight_in_every_frame_of_another_theme(new_window):
+    new_window.app_state.take_lab(LabState((), instruments=()))
+    new_window.open_page("Run")
+    settle(new_window)
+    assert new_window.side.keep_off.isVisible()
+    new_window.theme_switch.click()
+    frames = 0
+    while new_window.style_queue.waits:
+        QApplication.processEvents()
+        seen = new_window.screen().grabWindow(new_window.winId()).toImage()
+        for part in (new_window.top.off, new_window.side.keep_off):
+            at = part.mapTo(new_window, part.rect().topLeft())
+            across = range(at.x(), at.x() + part.width(), 2)
+            colours = {seen.pixel(x, at.y() + part.height() // 2) for x in across}
+            assert len(colours) > 1, f"{part.text()} is not painted in frame {frames}"
+        frames += 1
+    assert frames > 1
+
+
+def test_why_a_serial_is_not_accepted_moves_nothing(new_window):
+    new_window.open_page("Run")
+    settle(new_window)
+    parts = new_window.stack, new_window.side, new_window.sidebar, new_window.top.simulated
+    before = [one.geometry() for one in parts]
+    new_window.app_state.set_identity(dut="EM 0/7; rm *")
+    settle(new_window)
+    reason = new_window.top.reason
+    assert reason.isVisible()
+    assert "is no serial number" in reason.text()
+    assert [one.geometry() for one in parts] == before
+    assert reason.height() <= 3 * GRID  # it lies in the page's margin, over no words
+    new_window.app_state.set_identity(dut="EM-07")
+    assert not reason.isVisible()
+
+
+def test_the_badge_stands_at_one_place_on_every_page(new_window):
+    places = set()
+    for name in ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"):
+        new_window.open_page(name)
+        settle(new_window)
+        places.add(new_window.top.simulated.x())
+    assert len(places) == 1

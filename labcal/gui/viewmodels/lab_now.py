@@ -30,7 +30,8 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
 SILENT = QT_TRANSLATE_NOOP("Words", "no answer (plug? power?)")  # nobody can tell which: both are looked at
 LOST = QT_TRANSLATE_NOOP("Words", "no answer (link lost)")
 HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
-UNHEARD = ("silent", "no reply", "no sample", "nothing came", "no valid Modbus reply")  # in a fault: one state, however who asked puts it
+# in a fault: one state, however who asked puts it
+UNHEARD = ("silent", "no reply", "no sample", "nothing came", "no valid Modbus reply")
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
     "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
