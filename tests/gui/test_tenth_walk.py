@@ -13,14 +13,16 @@ import labcal.gui
 from labcal.bench.config import read_config
 from labcal.bench.coils.state import Heard, LabState
 from labcal.errors import InputError
-from labcal.gui.ipc.messages import ReadBench
+from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.messages import ReadBench, RunProcedure
+from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations import translate
 from labcal.gui.viewmodels.hands import coming
 from labcal.gui.viewmodels.lab_now import lab_now
 from labcal.gui.widgets.key_sheet import KeySheet
-from labcal.record.stream import Prompt
+from labcal.record.stream import Measurement, Prompt, Step
 
 GUI = Path(labcal.gui.__file__).parent
 
@@ -200,3 +202,44 @@ def test_the_badge_stands_at_one_place_on_every_page(new_window):
         settle(new_window)
         places.add(new_window.top.simulated.x())
     assert len(places) == 1
+
+
+TURN = "x+20uT-nominal"
+NAMES = ("offset and first position", "axes-check", TURN, "x+50uT-nominal")
+OLD = Measurement(3.0, "body X up: zero", 1.0, 0.1, "nT", 5.0)
+
+
+def left_at(window, number, *measured):
+    """A preflight that was stopped in step `number`."""
+    app_state = window.app_state
+    app_state.run.start(RunProcedure("preflight", "bench.toml", {}, "EM-07", "J. Doe"))
+    app_state.bench_worker.items.emit((Step(0.0, number, len(NAMES), NAMES[number - 1], 60.0, NAMES), OLD, *measured))
+    ended = Ended("r1", "interrupted", Fault("stopped", "stopped by the operator"))
+    app_state.bench_worker.answer(RunProcedure, ended)
+    return app_state.run
+
+
+def test_of_a_run_without_a_finished_turn_no_step_is_ticked_and_go_on_shows_nothing_old(still):
+    run = left_at(still, 3)
+    assert [mark for _, mark in run.steps()] == ["next", "next", "broken", "next"]
+    assert OLD.name in run.measurements  # what was measured may be looked at until it begins again
+    still.app_state.resume("r1", "preflight", "EM-07")
+    assert not run.measurements
+    assert not run.drawn.earlier
+    assert not [one for one in still.app_state.quick_worker.asked if isinstance(one.command, TellTurned)]
+
+
+def test_a_finished_turn_is_ticked_and_used(still):
+    run = left_at(still, 4, Measurement(4.0, f"{TURN}: coverage", 1.0, 0.1, "1", 5.0))
+    assert [mark for _, mark in run.steps()] == ["done", "done", "done", "broken"]
+    still.app_state.resume("r1", "preflight", "EM-07")
+    assert OLD.name in run.measurements
+
+
+def test_settings_that_are_wrong_beside_the_serial_are_said_too(still):
+    still.open_page("Run")
+    choose = still.page("Run").choose
+    still.app_state.set_identity(dut="EM 0/7; rm *")
+    assert choose.objection.text() == "Correct what is red at the top."
+    choose.form.set_text("axes", "w")
+    assert choose.objection.text() == "Correct what is red at the top, and what is marked ✕ above."

@@ -550,6 +550,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Correct what is red at the top, and what is marked ✕ above.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -550,6 +550,10 @@
         <translation>Berichtigen Sie, was oben rot ist.</translation>
     </message>
     <message>
+        <source>Correct what is red at the top, and what is marked ✕ above.</source>
+        <translation>Berichtigen Sie, was oben rot ist, und was darüber mit ✕ markiert ist.</translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation>Eine Einstellung wird nicht angenommen: siehe oben.</translation>
     </message>

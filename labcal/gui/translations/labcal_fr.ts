@@ -550,6 +550,10 @@
         <translation>Corrigez ce qui est rouge en haut.</translation>
     </message>
     <message>
+        <source>Correct what is red at the top, and what is marked ✕ above.</source>
+        <translation>Corrigez ce qui est rouge en haut, et ce qui est marqué ✕ ci-dessus.</translation>
+    </message>
+    <message>
         <source>A setting is not accepted: see above.</source>
         <translation>Un réglage n&apos;est pas accepté : voir plus haut.</translation>
     </message>

@@ -287,8 +287,9 @@ class AppState(QObject):
         if said := self.login.objection() or self.left.objection():
             return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
+        elsewhere = run_id != self.run.run_id  # by another window, or long ago
         self.run.resume(run_id, self._order(procedure, {}))
-        if not (drawn := self.run.drawn).earlier:  # by another window, or long ago
+        if not (drawn := self.run.drawn).earlier and elsewhere:
             self.quick_worker.request(TellTurned(run_id), drawn.take_earlier, lambda fault: None)
         return self.page_requested.emit("Run")
 
