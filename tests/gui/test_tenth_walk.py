@@ -1,6 +1,8 @@
 """What two technicians stumbled over in one evening: clicks that did nothing, words that said what was not so."""
 
 import ast
+from dataclasses import replace
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import pytest
@@ -10,15 +12,16 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QLabe
 from test_nothing_is_cut import settle
 
 import labcal.gui
-from labcal.bench.config import read_config
 from labcal.bench.coils.state import Heard, LabState
+from labcal.bench.config import read_config
 from labcal.errors import InputError
-from labcal.gui.ipc.answers import Ended
+from labcal.gui.ipc.answers import Ended, RunLine
 from labcal.gui.ipc.messages import ReadBench, RunProcedure
 from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations import translate
+from labcal.gui.viewmodels.cause_words import PLAIN, in_plain_words
 from labcal.gui.viewmodels.hands import coming
 from labcal.gui.viewmodels.lab_now import lab_now
 from labcal.gui.widgets.key_sheet import KeySheet
@@ -243,3 +246,30 @@ def test_settings_that_are_wrong_beside_the_serial_are_said_too(still):
     assert choose.objection.text() == "Correct what is red at the top."
     choose.form.set_text("axes", "w")
     assert choose.objection.text() == "Correct what is red at the top, and what is marked ✕ above."
+
+
+def test_a_cause_is_told_in_plain_words_with_its_name_beside_it(in_language):
+    said = in_plain_words("offset-current", ("i_eps",))
+    assert said == "offset that follows the current i_eps – offset-current (i_eps)"
+    assert in_plain_words("of-a-package", ("u",)) == "of-a-package (u)"
+    assert in_plain_words("hysteresis", ()).endswith(" – hysteresis")
+    assert set(PLAIN) <= {one.name for one in entry_points(group="labcal.effects")}
+    in_language("fr")
+    assert in_plain_words("offset-current", ("i_eps",)).startswith("décalage qui suit le courant i_eps")
+
+
+def test_each_page_says_what_kind_of_number_its_own_is(new_window):
+    new_window.open_page("Certificate")
+    units = [one.toolTip() for one in new_window.page("Certificate").findChildren(QLabel) if one.text() == "U: k=2"]
+    assert ["of the parameter in its line alone" in tip and "rms on the Fit" in tip for tip in units] == [True]
+
+
+def test_what_is_not_kept_of_a_run_is_said_with_the_button_that_makes_it(new_window):
+    run = RunLine("r9", "2026-01-05T07:00:00Z", "finished", "EM-07", "J. Doe", "preflight", verdict="explained")
+    run = replace(run, left_nT=(228.5, 27.0, 27.5))
+    new_window.app_state.path.take_runs((run,))
+    new_window.app_state.one_dut.open("r9")
+    new_window.open_page("Loop")
+    words = new_window.page("Loop").empty.text()
+    assert "228.5 → 27.0 nT rms of the vector, noise alone 27.5 nT rms" in words
+    assert words.endswith("“Work it out again” makes them.")

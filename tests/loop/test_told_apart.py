@@ -108,7 +108,10 @@ def test_u_holds_the_map_of_a_rival_of_the_device_before_and_after_it_acts(tmp_p
     """A gain that steps between two mountings is a lean of each: it leaves two maps, and a lean one that lies between."""
     made("sensor_laws.py", 16, tmp_path, seed=38833)
     said = score.put_through(tmp_path / "b0016")
-    assert ([*said["named"], *said["rivals"][0]], said["fresh"] > 4 * said["knew"]) == (["axis-tilt", "gain-step"], True)
+    assert ([*said["named"], *said["rivals"][0]], said["fresh"] > 4 * said["knew"]) == (
+        ["axis-tilt", "gain-step"],
+        True,
+    )
     assert 0.5 < said["over_stated"] < 1.5  # without it 4.4
 
 

@@ -145,6 +145,12 @@ class CertificatePage(QWidget):
         self.table.show_rows(MOST_ROWS)
         self.views = CalibrationViews(self.table, theme)
         card.unit.setText(self.tr("U: k=2"))
+        card.unit.setToolTip(
+            self.tr(
+                "± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting "
+                "included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1)."
+            )
+        )
         head = QHBoxLayout()
         head.addWidget(self.views, 1)
         head.addWidget(card.unit, 0, Qt.AlignmentFlag.AlignTop)

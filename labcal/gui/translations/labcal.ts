@@ -427,6 +427,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6054,10 +6058,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fit works it out again: figures and pictures side by side.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose a run above, then Fit.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6075,6 +6075,10 @@
     </message>
     <message>
         <source>computing: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6757,6 +6761,10 @@ after this step …</source>
     </message>
     <message>
         <source>Trace the residual of this run to its cause.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9359,7 +9367,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>with declared errors; noise alone {0} nT</source>
+        <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9667,19 +9675,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9688,6 +9688,14 @@ after this step …</source>
     </message>
     <message>
         <source>Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9735,7 +9743,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} → {1} nT, noise alone {2} nT</source>
+        <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10320,6 +10328,50 @@ after this step …</source>
     </message>
     <message>
         <source>The bench that was open stays open: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the current {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the square of the current {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the temperature {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the channel {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset of the power mode {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain that follows the temperature {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain that follows the channel {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that drifts with time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that steps at one moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain that steps at one moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetisation that remembers earlier fields</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -427,6 +427,10 @@
         <translation>Eine Kalibrierung wählen</translation>
     </message>
     <message>
+        <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
+        <translation>± U (k=2) gilt für den Parameter der Zeile allein. Die einer Feldkomponente, mit der Montage darin, steht unter Unsicherheit; rms auf den Seiten Fit und Ursachen ist Standard (k=1).</translation>
+    </message>
+    <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
         <translation>Eine Kalibrierung wählen, oder oben den Prüfling angeben.</translation>
     </message>
@@ -6070,8 +6074,8 @@
         <translation>Ergebnis ansehen</translation>
     </message>
     <message>
-        <source>Fit works it out again: figures and pictures side by side.</source>
-        <translation>Fit rechnet es noch einmal: Zahlen und Bilder nebeneinander.</translation>
+        <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
+        <translation>Bilder und die Zahlen jedes Verfahrens werden nicht aufbewahrt: Fit rechnet sie noch einmal, nebeneinander.</translation>
     </message>
     <message>
         <source>Fit estimates K and k; All methods compares eleven ways.</source>
@@ -6755,6 +6759,10 @@ diesem Schritt …</translation>
     <message>
         <source>Trace the residual of this run to its cause.</source>
         <translation>Den Rest dieser Messung auf seine Ursache zurückführen.</translation>
+    </message>
+    <message>
+        <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
+        <translation>Bilder und die Zahlen jeder Ursache werden nicht aufbewahrt: „Noch einmal rechnen“ macht sie.</translation>
     </message>
     <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
@@ -9360,8 +9368,8 @@ diesem Schritt …</translation>
         <translation>Diese Messung bestimmt die Abbildung nicht ganz: zu wenige Achsen oder Felder wurden gemessen, deshalb wurde nach keiner Ursache gesucht. Gegen den Prüfling sagt das nichts. Was zu messen ist, steht bei 4.</translation>
     </message>
     <message>
-        <source>with declared errors; noise alone {0} nT</source>
-        <translation>mit angegebenen Fehlern; Rauschen allein {0} nT</translation>
+        <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
+        <translation>rms des Vektors, mit angegebenen Fehlern; Rauschen allein {0} nT rms</translation>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
@@ -9668,20 +9676,12 @@ diesem Schritt …</translation>
         <translation>Ohne Ergebnis: {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben übrig, nicht mehr als sein Rauschen, {1} nT. Die Richtung beurteilt die Seite Ursachen.</translation>
-    </message>
-    <message>
-        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
-        <translation>▲ Die Abbildung allein genügt nicht: {0} nT von |b| bleiben übrig, sein Rauschen ist {1} nT.</translation>
-    </message>
-    <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
         <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene. Die Zahl auf der Seite Loop gilt dem ganzen Vektor in solchen Zeilen, auch seiner Richtung.</translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
+        <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>{0} nT rms von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
     </message>
     <message>
         <source>No specification is stated.</source>
@@ -9690,6 +9690,14 @@ diesem Schritt …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Den Rest erklären.</translation>
+    </message>
+    <message>
+        <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT rms von |b| bleiben übrig, nicht mehr als sein Rauschen, {1} nT rms. Die Richtung beurteilt die Seite Ursachen.</translation>
+    </message>
+    <message>
+        <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
+        <translation>▲ Die Abbildung allein genügt nicht: {0} nT rms von |b| bleiben übrig, sein Rauschen ist {1} nT rms.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9736,8 +9744,8 @@ diesem Schritt …</translation>
         <translation>Aufbewahrt von dieser Messung: {0}</translation>
     </message>
     <message>
-        <source>{0} → {1} nT, noise alone {2} nT</source>
-        <translation>{0} → {1} nT, Rauschen allein {2} nT</translation>
+        <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
+        <translation>{0} → {1} nT rms des Vektors, Rauschen allein {2} nT rms</translation>
     </message>
     <message>
         <source>offset k {0} nT by {1}</source>
@@ -10322,6 +10330,50 @@ diesem Schritt …</translation>
     <message>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Der Messplatz, der offen war, bleibt offen: {0}.</translation>
+    </message>
+    <message>
+        <source>offset that follows the current {0}</source>
+        <translation>Offset, der dem Strom {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that follows the square of the current {0}</source>
+        <translation>Offset, der dem Quadrat des Stroms {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that follows the temperature {0}</source>
+        <translation>Offset, der der Temperatur {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that follows the channel {0}</source>
+        <translation>Offset, der dem Kanal {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset of the power mode {0}</source>
+        <translation>Offset der Betriebsart {0}</translation>
+    </message>
+    <message>
+        <source>gain that follows the temperature {0}</source>
+        <translation>Verstärkung, die der Temperatur {0} folgt</translation>
+    </message>
+    <message>
+        <source>gain that follows the channel {0}</source>
+        <translation>Verstärkung, die dem Kanal {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that drifts with time</source>
+        <translation>Offset, der mit der Zeit driftet</translation>
+    </message>
+    <message>
+        <source>offset that steps at one moment</source>
+        <translation>Offset, der zu einem Zeitpunkt springt</translation>
+    </message>
+    <message>
+        <source>gain that steps at one moment</source>
+        <translation>Verstärkung, die zu einem Zeitpunkt springt</translation>
+    </message>
+    <message>
+        <source>magnetisation that remembers earlier fields</source>
+        <translation>Magnetisierung, die frühere Felder behält</translation>
     </message>
 </context>
 <context>

@@ -427,6 +427,10 @@
         <translation>Choisir un étalonnage</translation>
     </message>
     <message>
+        <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
+        <translation>± U (k=2) est celle du seul paramètre de la ligne. Celle d&apos;une composante du champ, montage compris, est sous Incertitude ; le rms des pages Ajuster et Causes est type (k=1).</translation>
+    </message>
+    <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
         <translation>Choisissez un étalonnage, ou indiquez en haut quel DUT.</translation>
     </message>
@@ -6070,8 +6074,8 @@
         <translation>Voir le résultat</translation>
     </message>
     <message>
-        <source>Fit works it out again: figures and pictures side by side.</source>
-        <translation>Ajuster le recalcule : chiffres et images côte à côte.</translation>
+        <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
+        <translation>Les images et les chiffres de chaque méthode ne sont pas gardés : Ajuster les recalcule, côte à côte.</translation>
     </message>
     <message>
         <source>Fit estimates K and k; All methods compares eleven ways.</source>
@@ -6755,6 +6759,10 @@ cette étape …</translation>
     <message>
         <source>Trace the residual of this run to its cause.</source>
         <translation>Remonter du résidu de cette mesure à sa cause.</translation>
+    </message>
+    <message>
+        <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
+        <translation>Les images et les chiffres de chaque cause ne sont pas gardés : « Recalculer » les refait.</translation>
     </message>
     <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
@@ -9360,8 +9368,8 @@ cette étape …</translation>
         <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
     </message>
     <message>
-        <source>with declared errors; noise alone {0} nT</source>
-        <translation>avec les erreurs déclarées ; bruit seul {0} nT</translation>
+        <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
+        <translation>rms du vecteur, avec les erreurs déclarées ; bruit seul {0} nT rms</translation>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
@@ -9668,20 +9676,12 @@ cette étape …</translation>
         <translation>Sans résultat : {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b|, pas plus que son bruit, {1} nT. La page Causes juge la direction.</translation>
-    </message>
-    <message>
-        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
-        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT de |b|, son bruit est de {1} nT.</translation>
-    </message>
-    <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
         <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture. Le chiffre de la page Loop porte sur tout le vecteur de ces lignes, direction comprise.</translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+        <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT rms de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
     </message>
     <message>
         <source>No specification is stated.</source>
@@ -9690,6 +9690,14 @@ cette étape …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Expliquer le résidu.</translation>
+    </message>
+    <message>
+        <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT rms de |b|, pas plus que son bruit, {1} nT rms La page Causes juge la direction.</translation>
+    </message>
+    <message>
+        <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
+        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT rms de |b|, son bruit est de {1} nT rms</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9736,8 +9744,8 @@ cette étape …</translation>
         <translation>Conservé de cette mesure : {0}</translation>
     </message>
     <message>
-        <source>{0} → {1} nT, noise alone {2} nT</source>
-        <translation>{0} → {1} nT, bruit seul {2} nT</translation>
+        <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
+        <translation>{0} → {1} nT rms du vecteur, bruit seul {2} nT rms</translation>
     </message>
     <message>
         <source>offset k {0} nT by {1}</source>
@@ -10322,6 +10330,50 @@ cette étape …</translation>
     <message>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Le banc qui était ouvert le reste : {0}.</translation>
+    </message>
+    <message>
+        <source>offset that follows the current {0}</source>
+        <translation>décalage qui suit le courant {0}</translation>
+    </message>
+    <message>
+        <source>offset that follows the square of the current {0}</source>
+        <translation>décalage qui suit le carré du courant {0}</translation>
+    </message>
+    <message>
+        <source>offset that follows the temperature {0}</source>
+        <translation>décalage qui suit la température {0}</translation>
+    </message>
+    <message>
+        <source>offset that follows the channel {0}</source>
+        <translation>décalage qui suit la voie {0}</translation>
+    </message>
+    <message>
+        <source>offset of the power mode {0}</source>
+        <translation>décalage du mode d&apos;alimentation {0}</translation>
+    </message>
+    <message>
+        <source>gain that follows the temperature {0}</source>
+        <translation>gain qui suit la température {0}</translation>
+    </message>
+    <message>
+        <source>gain that follows the channel {0}</source>
+        <translation>gain qui suit la voie {0}</translation>
+    </message>
+    <message>
+        <source>offset that drifts with time</source>
+        <translation>décalage qui dérive avec le temps</translation>
+    </message>
+    <message>
+        <source>offset that steps at one moment</source>
+        <translation>décalage qui saute à un instant</translation>
+    </message>
+    <message>
+        <source>gain that steps at one moment</source>
+        <translation>gain qui saute à un instant</translation>
+    </message>
+    <message>
+        <source>magnetisation that remembers earlier fields</source>
+        <translation>aimantation qui garde les champs d&apos;avant</translation>
     </message>
 </context>
 <context>
