@@ -52,7 +52,7 @@ def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:
     if layout is None or dialog.findChild(QPushButton, "off") is not None:
         return
     for field in dialog.findChildren(QLineEdit) if isinstance(dialog, QFileDialog) else ():
-        field.setCompleter(None)  # its list would take the first click beside it, also one on Coils off
+        field.setCompleter(None)  # type: ignore[arg-type]  # its list takes the first click beside it, also on Coils off
     off = named(QPushButton(translated("COILS OFF   F12")), "off")
     off.setAutoDefault(False)
     off.clicked.connect(coils_off)

@@ -31,7 +31,6 @@ from labcal.gui.problem_report import save_problem
 from labcal.gui.screen import show_whole
 from labcal.gui.theming.chosen import chosen_theme, system_theme
 from labcal.gui.theming.palette import palette
-from labcal.gui.theming.restyled import style_at_once, style_bit_by_bit
 from labcal.gui.theming.stylesheet import apply_style, is_unstyled, styled_widgets
 from labcal.gui.theming.theme import DARK, GRID, LIGHT, Theme, style_sheet, text_scale
 from labcal.gui.translations.translate import following, languages, spoken
@@ -47,6 +46,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.over_page import OverPage
+from labcal.gui.widgets.restyled import style_at_once, style_bit_by_bit
 from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar

@@ -2,37 +2,35 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.translate import translated
-
-if TYPE_CHECKING:
-    from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.lab import LabViewModel
 
 STAYS = QT_TRANSLATE_NOOP("Words", "The bench that was open stays open: {0}.")
 
 
 class RefusedBench:
-    """Its card goes with the next bench that is taken, and with another page."""
+    """Its card goes with the next bench that is taken, and with another page. `say` shows it, `over` takes it away."""
 
-    def __init__(self, app_state: AppState) -> None:
-        self._app_state = app_state
+    def __init__(self, lab: LabViewModel, say: Callable[[Fault], object], over: Callable[[Fault], object]) -> None:
+        self._lab, self._say, self._over = lab, say, over
         self._said: Fault | None = None
 
     def say(self, fault: Fault) -> None:
         """Why it was not taken, and that the one before stays."""
-        state = self._app_state
-        state.lab.update(message="", opening=False)
-        stays = "" if state.facts is None else translated(str(STAYS)).format(state.facts.name)
+        self._lab.update(message="", opening=False)
+        open_still = self._lab.state.bench
+        stays = translated(str(STAYS)).format(open_still) if open_still else ""
         self._said = replace(fault, remedy=" ".join(filter(None, (fault.remedy, stays))))
-        state.fault.emit(self._said)
+        self._say(self._said)
 
     def put_away(self) -> None:
         """It is past."""
         said, self._said = self._said, None
         if said is not None:
-            self._app_state.fault_over.emit(said)
+            self._over(said)
