@@ -347,6 +347,8 @@ class BenchConfig(_Table):
 def read_config(path: Path) -> BenchConfig:
     """Read and validate a bench.toml. Raises InputError with the file, the line and the key."""
     text, table = read_toml(path)
+    if table and not table.keys() & BenchConfig.model_fields.keys():
+        raise InputError("is no bench file: nothing that stands in it is of a bench", file=path)
     try:
         return BenchConfig.model_validate(table)
     except ValidationError as error:
@@ -356,8 +358,7 @@ def read_config(path: Path) -> BenchConfig:
         keys = tuple(str(part) for part in first["loc"])
         name, said = ".".join(keys), sentence(first)
         between = "" if not name else " " if said.startswith(("is ", "has ", "must ")) else ": "
-        what = f"{name}{between}{said}"
-        raise InputError(what, file=path, line=line_of(text, keys)) from error
+        raise InputError(f"{name}{between}{said}", file=path, line=line_of(text, keys)) from error
 
 
 WORDS = {

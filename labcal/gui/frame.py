@@ -10,8 +10,10 @@ from PySide6.QtWidgets import (
     QApplication,
     QButtonGroup,
     QDialog,
+    QFileDialog,
     QGridLayout,
     QHBoxLayout,
+    QLineEdit,
     QMainWindow,
     QMenu,
     QPushButton,
@@ -49,6 +51,8 @@ def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:
     layout = dialog.layout()
     if layout is None or dialog.findChild(QPushButton, "off") is not None:
         return
+    for field in dialog.findChildren(QLineEdit) if isinstance(dialog, QFileDialog) else ():
+        field.setCompleter(None)  # type: ignore[arg-type]  # its list takes the first click beside it, also on Coils off
     off = named(QPushButton(translated("COILS OFF   F12")), "off")
     off.setAutoDefault(False)
     off.clicked.connect(coils_off)
@@ -215,6 +219,7 @@ class Frame(QMainWindow):
         """The sheet with all keys; nothing waits for it."""
         sheet = KeySheet(self, self.keys())
         sheet.setStyleSheet(self.sheet())
+        put_off_into(sheet, self.coils_off.emit)  # before it is measured: else the rows are short of its room
         sheet.fit_into(self.size())
         sheet.show()
 

@@ -329,7 +329,8 @@ class SidePanel(Surface):
         self.read_all.setEnabled(bool(state.bench) and not state.reading)  # in a run it says why it does not
         others, back = dict(state.other_serials), dict(state.back)
         of_all = self._of_all(state)
-        self.legend.setText(state.now.in_common or of_all if state.bench else self.tr("No bench is open."))
+        none_open = self.tr("The bench is being opened …") if state.opening else self.tr("No bench is open.")
+        self.legend.setText(state.now.in_common or of_all if state.bench else none_open)
         self.legend.setVisible(bool(self.legend.text()))
         set_state(self.legend, "bad" if state.now.in_common else "")
         for row, (name, light, words) in zip(self.rows, state.now.lights, strict=False):

@@ -17,7 +17,10 @@ from labcal.gui.widgets.roomy import Roomy
 
 
 class TopBar(Surface):
-    """DUT, operator, bench, SIMULATED where it is, HANDS OFF where it holds, and Coils off: in sight on every page."""
+    """DUT, operator, bench, SIMULATED where it is, HANDS OFF where it holds, and Coils off: in sight on every page.
+
+    `reason`: why one is not accepted; it lies over the top of the page, which moves for nobody who types.
+    """
 
     def __init__(self) -> None:
         super().__init__(Qt.Edge.BottomEdge)
@@ -58,7 +61,7 @@ class TopBar(Surface):
         row.addWidget(self.off)
         self.reason = OneLine()
         set_state(self.reason, "bad")
-        column.addWidget(self.reason)
+        self.reason.setAutoFillBackground(True)
 
     def show_state(self, state: LabState) -> None:
         """Write the state."""

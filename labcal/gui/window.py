@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
 from functools import partial
 from pathlib import Path
 from threading import Thread
@@ -47,6 +46,7 @@ from labcal.gui.widgets.idle_queue import IdleQueue
 from labcal.gui.widgets.key_sheet import KeySheet, described
 from labcal.gui.widgets.lock_screen import LockScreen
 from labcal.gui.widgets.over_page import OverPage
+from labcal.gui.widgets.restyled import style_at_once, style_bit_by_bit
 from labcal.gui.widgets.said_at import say_below
 from labcal.gui.widgets.scan_card import ScanCard
 from labcal.gui.widgets.shown_bar import ShownBar
@@ -86,7 +86,8 @@ class Window(Frame):
         for card in self.cards:
             card.setContentsMargins(0, 2 * GRID, 0, 0)
             self.above.addWidget(card)
-        OverPage(self.scan_card, self.stack)
+        for over in (self.scan_card, self.top.reason):
+            OverPage(over, self.stack)
         self.lock_screen = LockScreen(app_state.login)
         self.pages_column.addWidget(self.lock_screen, 1)
         self.fault.report_requested.connect(app_state.report_requested)
@@ -246,22 +247,14 @@ class Window(Frame):
             keys.fit_into(self.size())
         self.set_scale(text_scale(self.width(), self.height(), wall=self.wall))
         self.hold_minimum(False)
-        for part in (self.top, self.side, self.sidebar, self.bottom, *self.cards, self.lock_screen):
-            self._style(part, styled_widgets(part), sheet)
+        style_at_once(sheet, self.top, self.top.reason, self.side.hands_group)  # these are always in sight
+        style_bit_by_bit(self.style_queue, self.side, styled_widgets(self.side), sheet, seen=True)
+        for part in (self.sidebar, self.bottom, *self.cards, self.lock_screen):
+            style_bit_by_bit(self.style_queue, part, styled_widgets(part), sheet)
         for lazy_page in sorted(self.lazy_pages.values(), key=lambda one: not one.isVisible()):
             updates = lazy_page.theme_updates(self.theme) if recolour else ()
-            self._style(lazy_page, lazy_page.styled_widgets(), sheet, updates)
+            style_bit_by_bit(self.style_queue, lazy_page, lazy_page.styled_widgets(), sheet, updates)
         self.style_queue.put("minimum", lambda: self.hold_minimum(self._scale == 1.0))
-
-    def _style(
-        self, part: QWidget, wanted: Iterable[QWidget], sheet: str, theme_updates: Iterable[Callable[[], object]] = ()
-    ) -> None:
-        """Style what is `wanted` of a part, then do `theme_updates`; the part is painted once, after all that."""
-        part.setUpdatesEnabled(False)
-        for one in wanted:
-            self.style_queue.put(one, partial(apply_style, one, sheet))
-        self.style_queue.add(*theme_updates)
-        self.style_queue.put(part, partial(part.setUpdatesEnabled, True))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Style what comes up new; then handle the keys."""
@@ -295,6 +288,7 @@ class Window(Frame):
 
     def _page_turned(self) -> None:
         self.app_state.said_at_the_end.put_away(self.page_shown())
+        self.app_state.refused.put_away()
         self.app_state.one_dut.settle()
         self.shown_bar.show_page(self.page_shown())
         self._show_next()
@@ -352,8 +346,7 @@ class Window(Frame):
         return self._say_coils()
 
     def _fault_is_over(self, fault: Fault) -> None:
-        if self.fault.fault is fault:
-            self.fault.show_fault(None)
+        self.fault.show_fault(None if self.fault.fault is fault else self.fault.fault)
 
     def _say_coils(self) -> None:
         """A card that says that the coils are not known to be at zero says how they are now."""

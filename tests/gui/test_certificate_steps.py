@@ -258,6 +258,20 @@ def test_until_when_it_will_be_good_and_whence_that_comes_is_said_before_it_is_s
     assert valid.text() == "Good until 2027-11-21."
 
 
+def test_next_is_said_of_one_thing_what_is_shown_of_another_dut_is_to_be_done_here(page):
+    told(page, DRAFT, "a.smith", "j.doe")
+    page._app_state.set_identity(dut="EM-99")
+    assert (page.to_do.text(), page.window().next.text()) == ("To do here: Approve (2)", "Next: Calibrate EM-99")
+
+
+def test_what_a_field_wants_is_read_to_its_end_beside_the_others(page):
+    told(page, DRAFT, "a.smith", "j.doe")
+    page.window().resize(1024, 700)
+    settle()
+    for field in page.names.laboratory[1:]:
+        assert field.fontMetrics().horizontalAdvance(field.placeholderText()) < field.contentsRect().width() - 20
+
+
 def test_an_empty_last_day_is_said_beside_its_field_before_anybody_approves(page):
     told(page, DRAFT, "a.smith", "j.doe")
     said, card = page.steps.valid_once_approved, page.steps.approval
@@ -268,7 +282,7 @@ def test_an_empty_last_day_is_said_beside_its_field_before_anybody_approves(page
     assert said.text().startswith("Good until 2099-11-21.")
     told(page, APPROVED, "a.smith", "j.doe")
     assert not said.isVisible()
-    assert page.steps.valid.text().endswith("So it was stated when it was approved.")
+    assert page.steps.valid.text().endswith("None was when it was approved, and none can be added any more.")
 
 
 @pytest.mark.parametrize(

@@ -226,7 +226,9 @@ class Asked:
         words = of_this_bench(asked_text(prompt))
         assert card.isVisible()
         shown = f"{card.text.text()} {card.details.text()}".replace("\N{NO-BREAK SPACE}", " ").replace("−", "-").strip()
-        shown = shown.removeprefix("Next: ") if prompt.key == "ready" else shown
+        if prompt.key == "ready" and shown.startswith("Next: "):
+            shown = shown.removeprefix("Next: ")
+            shown = shown[0].upper() + shown[1:]  # it is small after the colon
         assert shown.startswith(words)  # of a step that failed its advice stands below, with the button to press
         assert form_of(prompt.text) or prompt.key == "failed-turn", f"not in other languages: {prompt.text}"
         room = QFontMetrics(card.text.font()).boundingRect(card.text.contentsRect(), Qt.TextFlag.TextWordWrap, words)

@@ -93,7 +93,7 @@ def test_while_it_is_asked_whether_hands_are_off_nobody_tells_them_to_go_in(runn
     send(running, MOUNT)
     assert running.side.hands.text().startswith(("✓ Hands may go in", "● Hands may go in"))
     for text, comes in (
-        ("The coils go to 50 µT. Hands off?", "Next: The coils go to 50 µT"),
+        ("The coils go to 50 µT. Hands off?", "Next: the coils go to 50 µT"),
         ("Next the platform looks for its zero and turns to 90°. Hands off?",
          "Next the platform looks for its zero and turns to 90°"),
         ("Is it as before? Hands off?", "Is it as before? Hands off?"),

@@ -114,7 +114,7 @@ def test_the_result_is_that_of_the_card_at_the_end_of_the_run_and_is_sorted_and_
 def test_a_run_that_coils_off_ended_says_so_in_the_same_words_in_every_list():
     ended = replace(RUN, status="interrupted", stopped=True)
     by_off = replace(ended, by_off=True)
-    assert end_result("interrupted", stopped=True, by_off=True) == ("■ stopped by COILS OFF", "warning")
+    assert end_result("interrupted", stopped=True, by_off=True) == ("■ STOPPED BY COILS OFF", "warning")
     assert end_result("interrupted", stopped=True) == ("■ STOPPED", "warning")
     assert run_title(by_off).endswith(" · stopped by COILS OFF")
     assert run_label(by_off).startswith("■ stopped by COILS OFF · ")

@@ -92,18 +92,18 @@ def test_a_fit_says_whether_its_map_is_in_specification(left_nT, lines, words, s
         (
             11.0,
             10.0,
-            "ml: ✓ The calibration is good in size: 11.0 nT of |b| are left over, no more than its noise, 10.0 nT. "
-            "The loop judges the direction.",
+            "ml: ✓ The calibration is good in size: 11.0 nT rms of |b| are left over, no more than its noise, "
+            "10.0 nT rms. The loop judges the direction.",
             "good",
         ),
         (
             11.6,
             10.0,
-            "ml: ▲ The map alone is not enough: 11.6 nT of |b| are left over, its noise is 10.0 nT. "
+            "ml: ▲ The map alone is not enough: 11.6 nT rms of |b| are left over, its noise is 10.0 nT rms. "
             "Trace the residual.",
             "warning",
         ),
-        (11.0, None, "ml: 11.0 nT of |b| are left over; no noise is stated to compare it with.", ""),
+        (11.0, None, "ml: 11.0 nT rms of |b| are left over; no noise is stated to compare it with.", ""),
         (None, 10.0, "", ""),
     ],
 )

@@ -298,7 +298,8 @@ def is_in_the_short_form(which):
     """Each pair of run and coils once, with instruments and guardians in turn, so that all pairs of two parts are."""
     run, coils, instruments, guardian = which
     i, j = list(RUNS).index(run), list(COILS).index(coils)
-    turn = (list(INSTRUMENTS)[(i + j) % len(INSTRUMENTS)], list(GUARDIANS)[(i // len(INSTRUMENTS) + j) % len(GUARDIANS)])
+    own, guarded = list(INSTRUMENTS), list(GUARDIANS)
+    turn = own[(i + j) % len(own)], guarded[(i // len(own) + j) % len(guarded)]
     return coils == "not told" or (instruments, guardian) == turn
 
 

@@ -139,7 +139,7 @@ def test_the_loop_page_names_one_figure_for_the_error_before(still, qtbot, patie
     alone = "it alone takes 18.9 nT off the held-out rms beside declared errors"
     qtbot.waitUntil(lambda: any(alone in one for one in causes()), timeout=patience)
     assert "50.0 → 50.0 nT" in page.before_after.text()
-    assert page.noise.text().startswith("with declared errors; noise alone ")
+    assert page.noise.text().startswith("rms of the vector, with declared errors; noise alone ")
     whole = "before → after: held-out rms of the vector, with the errors in it that the run declares"
     assert page.noise.toolTip().startswith(whole)
     assert whole in page.summary.text()

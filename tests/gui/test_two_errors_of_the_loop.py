@@ -27,7 +27,7 @@ def page(still, monkeypatch):
 
 def test_the_figures_at_the_top_say_that_declared_errors_are_in_them(page):
     assert page.before_after.text() == "157.4 → 33.4 nT"
-    assert page.noise.text() == "with declared errors; noise alone 53.7 nT"
+    assert page.noise.text() == "rms of the vector, with declared errors; noise alone 53.7 nT rms"
     assert "with the errors in it that the run declares" in page.noise.toolTip()
     assert "the figure on the Fit page is of |b| alone" in page.noise.toolTip()  # why the two are not the same
     assert "noise alone, of one such row: 53.7 nT" in page.summary.text()

@@ -145,6 +145,12 @@ class CertificatePage(QWidget):
         self.table.show_rows(MOST_ROWS)
         self.views = CalibrationViews(self.table, theme)
         card.unit.setText(self.tr("U: k=2"))
+        card.unit.setToolTip(
+            self.tr(
+                "± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting "
+                "included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1)."
+            )
+        )
         head = QHBoxLayout()
         head.addWidget(self.views, 1)
         head.addWidget(card.unit, 0, Qt.AlignmentFlag.AlignTop)
@@ -278,7 +284,7 @@ class CertificatePage(QWidget):
         path = self._app_state.path
         step = to_be_done([step.mark for step in stands])
         path.take_step(one, step)
-        self.to_do.setText(comes_first(path, one) or next_is(step))
+        self.to_do.setText(comes_first(path, one) or next_is(path, one, step))
         self.doubt.setText(" ".join(filter(None, (doubts(one), not_traced(path, one)))))
         for part in (self.to_do, self.doubt):
             part.setVisible(bool(part.text()))

@@ -194,7 +194,9 @@ class FitPage(QWidget):
         refused = self._app_state.path.why_no_fit(study.run)
         kept = kept_words(self._app_state.path, study.run)
         if kept and not refused:
-            kept += "\n" + self.tr("Fit works it out again: figures and pictures side by side.")
+            kept += "\n" + self.tr(
+                "Pictures and the figures of each method are not kept: Fit works them out again, side by side."
+            )
         ready = refused or kept or self.tr("Fit estimates K and k; All methods compares eleven ways.")
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
         self.empty.setText(none or (waits if study.run else self.tr("Choose a run above, then Fit.")))

@@ -241,7 +241,9 @@ class LoopPage(QWidget):
         self.empty.setAlignment(height | Qt.AlignmentFlag.AlignHCenter)
 
     def _kept(self) -> str:
-        return kept_words(self._app_state.path, self._study.run)
+        again = self.tr("Pictures and the figures of each cause are not kept: “Work it out again” makes them.")
+        kept = kept_words(self._app_state.path, self._study.run)
+        return f"{kept}\n{again}" if kept else ""
 
     def _show_uncertainty(self) -> None:
         """What makes most of the draft's U: the error at the top is not all that is not known."""

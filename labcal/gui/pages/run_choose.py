@@ -303,6 +303,8 @@ class Choose(QWidget):
         state = self._app_state.lab.state
         if objection and objection in (state.dut_objection, state.operator_objection):
             objection = self.tr("Correct what is red at the top.")  # where it is said why
+            if refused is not None:
+                objection = self.tr("Correct what is red at the top, and what is marked ✕ above.")
         if not objection and refused is not None:
             objection = self.tr("A setting is not accepted: see above.")
         if not objection and self._cannot_be:

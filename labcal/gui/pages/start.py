@@ -191,7 +191,9 @@ class StartPage(QWidget):
             )
         )
         self._point()
-        known = facts is not None
+        if not (known := facts is not None):
+            for fact in ("reference", "cage"):
+                self._say(fact, *self._no_bench())
         with focus_kept_in(self, self.calibrate):
             for widget in (self.morning, self.calibrate):
                 widget.setVisible(known)
@@ -223,9 +225,14 @@ class StartPage(QWidget):
         self.laboratory.setVisible(bool(self.laboratory.text()))
         self._enable()
 
+    def _no_bench(self) -> tuple[str, str]:
+        if self._app_state.lab.state.opening:
+            return "…", self.tr("The bench is being opened …")
+        return self.tr("not known"), self.tr("No bench is open.")
+
     def _show_reference(self, said: str) -> None:
         if self._app_state.facts is None:
-            return self._say("reference", self.tr("not known"), self.tr("No bench is open."))
+            return self._say("reference", *self._no_bench())
         dated = re.search(r"\d{4}-\d{2}-\d{2}", said)
         if dated is None:
             words = self.tr("The bench file states no calibration date.")
@@ -238,7 +245,7 @@ class StartPage(QWidget):
 
     def _show_cage(self, cage: Cage | None) -> None:
         if cage is None:
-            return self._say("cage", self.tr("not known"), self.tr("No bench is open."))
+            return self._say("cage", *self._no_bench())
         if self._cage_check is not None:
             return self._show_cage_check(self._cage_check)
         if not cage.stated:

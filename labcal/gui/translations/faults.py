@@ -27,6 +27,8 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "{0} was changed since run {1} began: start it anew"),
     QT_TRANSLATE_NOOP("Data", "{0} cannot go on after an interruption: start it anew"),
     QT_TRANSLATE_NOOP("Data", "{0}: there is no such file"),
+    QT_TRANSLATE_NOOP("Data", "{0}: is no bench file: nothing that stands in it is of a bench"),
+    QT_TRANSLATE_NOOP("Data", "{0}: {1} is not a key that is known here"),
     QT_TRANSLATE_NOOP("Data", "{0}: is signed already ({1}); only a draft can be approved"),
     QT_TRANSLATE_NOOP("Data", "{0} is signed: its serial stands; another DUT needs a run of its own"),
     QT_TRANSLATE_NOOP("Data", "another person than the operator approves: --as NAME"),

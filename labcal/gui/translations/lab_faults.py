@@ -148,7 +148,9 @@ LAB_FAULTS = (
     QT_TRANSLATE_NOOP("Data", "labcal bench off, process {0}"),
     QT_TRANSLATE_NOOP("Data", "coil {0}: zero was ordered for all coils: {1}."),
 )
-OF_THE_WORK = (  # of the window's own processes
+OF_THE_WORK = (  # of the window's own processes; and its own words for what came over a line
+    QT_TRANSLATE_NOOP("Data", "{0}: does not answer as it should."),
+    QT_TRANSLATE_NOOP("Data", "does not answer as it should."),
     QT_TRANSLATE_NOOP("Data", "zero was ordered; what was being asked of this line was given up."),
     QT_TRANSLATE_NOOP("Data", "The work was ended by this window."),
     QT_TRANSLATE_NOOP("Data", "The work was killed (signal {0})."),

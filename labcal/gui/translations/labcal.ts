@@ -427,6 +427,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -547,6 +551,10 @@
     </message>
     <message>
         <source>Correct what is red at the top.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct what is red at the top, and what is marked ✕ above.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1496,6 +1504,14 @@
     </message>
     <message>
         <source>run {0} is none to be gone on with: it is {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: {1} is not a key that is known here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -5639,6 +5655,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>{0}: does not answer as it should.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does not answer as it should.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: the reply belongs to another request.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6050,10 +6074,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fit works it out again: figures and pictures side by side.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose a run above, then Fit.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6071,6 +6091,10 @@
     </message>
     <message>
         <source>computing: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6756,6 +6780,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>as calibrated</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6877,10 +6905,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Country, as DE or Germany</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A country is two letters, as DE, or its name.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6894,6 +6918,10 @@ after this step …</source>
     </message>
     <message>
         <source>Laboratory: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7707,6 +7735,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>all answer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7861,7 +7893,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>in a table: in the order of the column beside</source>
+        <source>in a table: in the order of the column at the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column at the left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -7992,6 +8028,10 @@ after this step …</source>
     </message>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench is being opened …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9347,7 +9387,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>with declared errors; noise alone {0} nT</source>
+        <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9579,6 +9619,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>None was when it was approved, and none can be added any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9651,19 +9695,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
+        <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9672,6 +9708,14 @@ after this step …</source>
     </message>
     <message>
         <source>Trace the residual.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9719,7 +9763,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} → {1} nT, noise alone {2} nT</source>
+        <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10151,6 +10195,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>To do here: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10304,6 +10352,54 @@ after this step …</source>
     </message>
     <message>
         <source>Being fitted: {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bench that was open stays open: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the current {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the square of the current {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the temperature {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that follows the channel {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset of the power mode {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain that follows the temperature {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain that follows the channel {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that drifts with time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>offset that steps at one moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain that steps at one moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetisation that remembers earlier fields</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

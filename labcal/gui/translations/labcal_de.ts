@@ -427,6 +427,10 @@
         <translation>Eine Kalibrierung wählen</translation>
     </message>
     <message>
+        <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
+        <translation>± U (k=2) gilt für den Parameter der Zeile allein. Die einer Feldkomponente, mit der Montage darin, steht unter Unsicherheit; rms auf den Seiten Fit und Ursachen ist Standard (k=1).</translation>
+    </message>
+    <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
         <translation>Eine Kalibrierung wählen, oder oben den Prüfling angeben.</translation>
     </message>
@@ -548,6 +552,10 @@
     <message>
         <source>Correct what is red at the top.</source>
         <translation>Berichtigen Sie, was oben rot ist.</translation>
+    </message>
+    <message>
+        <source>Correct what is red at the top, and what is marked ✕ above.</source>
+        <translation>Berichtigen Sie, was oben rot ist, und was darüber mit ✕ markiert ist.</translation>
     </message>
     <message>
         <source>A setting is not accepted: see above.</source>
@@ -1497,6 +1505,14 @@
     <message>
         <source>run {0} is none to be gone on with: it is {1}</source>
         <translation>Messung {0} ist nicht fortzusetzen: sie ist {1}</translation>
+    </message>
+    <message>
+        <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
+        <translation>{0}: ist keine Datei eines Messplatzes: Nichts, was darin steht, gehört zu einem</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is not a key that is known here</source>
+        <translation>{0}: {1} ist kein Schlüssel, der hier bekannt ist</translation>
     </message>
     <message>
         <source>{0}; nothing was made</source>
@@ -5639,6 +5655,14 @@
         <translation>{0}: keine gültige Modbus-Antwort.</translation>
     </message>
     <message>
+        <source>{0}: does not answer as it should.</source>
+        <translation>{0}: antwortet nicht so, wie es soll.</translation>
+    </message>
+    <message>
+        <source>does not answer as it should.</source>
+        <translation>antwortet nicht so, wie es soll.</translation>
+    </message>
+    <message>
         <source>{0}: the reply belongs to another request.</source>
         <translation>{0}: Die Antwort gehört zu einer anderen Anfrage.</translation>
     </message>
@@ -6066,8 +6090,8 @@
         <translation>Ergebnis ansehen</translation>
     </message>
     <message>
-        <source>Fit works it out again: figures and pictures side by side.</source>
-        <translation>Fit rechnet es noch einmal: Zahlen und Bilder nebeneinander.</translation>
+        <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
+        <translation>Bilder und die Zahlen jedes Verfahrens werden nicht aufbewahrt: Fit rechnet sie noch einmal, nebeneinander.</translation>
     </message>
     <message>
         <source>Fit estimates K and k; All methods compares eleven ways.</source>
@@ -6753,6 +6777,10 @@ diesem Schritt …</translation>
         <translation>Den Rest dieser Messung auf seine Ursache zurückführen.</translation>
     </message>
     <message>
+        <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
+        <translation>Bilder und die Zahlen jeder Ursache werden nicht aufbewahrt: „Noch einmal rechnen“ macht sie.</translation>
+    </message>
+    <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
         <translation>Diese Zahlen sind neben den Fehlern, die die Messung angibt; oben sind sie darin.</translation>
     </message>
@@ -6878,10 +6906,6 @@ diesem Schritt …</translation>
         <translation>Ort</translation>
     </message>
     <message>
-        <source>Country, as DE or Germany</source>
-        <translation>Land, etwa DE oder Deutschland</translation>
-    </message>
-    <message>
         <source>A country is two letters, as DE, or its name.</source>
         <translation>Ein Land sind zwei Buchstaben, etwa DE, oder sein Name.</translation>
     </message>
@@ -6896,6 +6920,10 @@ diesem Schritt …</translation>
     <message>
         <source>Laboratory: {0}</source>
         <translation>Labor: {0}</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Land, etwa DE</translation>
     </message>
     <message>
         <source>Customer: {0}</source>
@@ -7708,6 +7736,10 @@ diesem Schritt …</translation>
         <translation>Kein Messplatz ist offen.</translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation>Der Messplatz wird geöffnet …</translation>
+    </message>
+    <message>
         <source>all answer</source>
         <translation>alle antworten</translation>
     </message>
@@ -7862,8 +7894,12 @@ diesem Schritt …</translation>
         <translation>Klick sortiert nach dieser Spalte, noch einer kehrt um</translation>
     </message>
     <message>
-        <source>in a table: in the order of the column beside</source>
-        <translation>in einer Tabelle: nach der Spalte daneben sortiert</translation>
+        <source>in a table: in the order of the column at the right</source>
+        <translation>in einer Tabelle: nach der Spalte rechts daneben sortiert</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column at the left</source>
+        <translation>in einer Tabelle: nach der Spalte links daneben sortiert</translation>
     </message>
     <message>
         <source>in a table: its order turned round</source>
@@ -7962,6 +7998,10 @@ diesem Schritt …</translation>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
         <translation>✕ Nicht bereit: {0}. Siehe die Seite Messplatz.</translation>
+    </message>
+    <message>
+        <source>The bench is being opened …</source>
+        <translation>Der Messplatz wird geöffnet …</translation>
     </message>
     <message>
         <source>not known</source>
@@ -9348,8 +9388,8 @@ diesem Schritt …</translation>
         <translation>Diese Messung bestimmt die Abbildung nicht ganz: zu wenige Achsen oder Felder wurden gemessen, deshalb wurde nach keiner Ursache gesucht. Gegen den Prüfling sagt das nichts. Was zu messen ist, steht bei 4.</translation>
     </message>
     <message>
-        <source>with declared errors; noise alone {0} nT</source>
-        <translation>mit angegebenen Fehlern; Rauschen allein {0} nT</translation>
+        <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
+        <translation>rms des Vektors, mit angegebenen Fehlern; Rauschen allein {0} nT rms</translation>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
@@ -9580,6 +9620,10 @@ diesem Schritt …</translation>
         <translation>So wurde es bei der Genehmigung angegeben.</translation>
     </message>
     <message>
+        <source>None was when it was approved, and none can be added any more.</source>
+        <translation>Bei der Genehmigung wurde keiner angegeben, und es kann keiner mehr dazukommen.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
     </message>
@@ -9652,20 +9696,12 @@ diesem Schritt …</translation>
         <translation>Ohne Ergebnis: {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
-        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT von |b| bleiben übrig, nicht mehr als sein Rauschen, {1} nT. Die Richtung beurteilt die Seite Ursachen.</translation>
-    </message>
-    <message>
-        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
-        <translation>▲ Die Abbildung allein genügt nicht: {0} nT von |b| bleiben übrig, sein Rauschen ist {1} nT.</translation>
-    </message>
-    <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
         <translation>Was übrig bleibt, ist die rms von |b| in zurückgehaltenen Zeilen; sein Rauschen ist das für |b| in einem Messwert angegebene. Die Zahl auf der Seite Loop gilt dem ganzen Vektor in solchen Zeilen, auch seiner Richtung.</translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>{0} nT von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
+        <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>{0} nT rms von |b| bleiben übrig; es ist kein Rauschen zum Vergleich angegeben.</translation>
     </message>
     <message>
         <source>No specification is stated.</source>
@@ -9674,6 +9710,14 @@ diesem Schritt …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Den Rest erklären.</translation>
+    </message>
+    <message>
+        <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
+        <translation>✓ Die Kalibrierung ist dem Betrag nach gut: {0} nT rms von |b| bleiben übrig, nicht mehr als sein Rauschen, {1} nT rms. Die Richtung beurteilt die Seite Ursachen.</translation>
+    </message>
+    <message>
+        <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
+        <translation>▲ Die Abbildung allein genügt nicht: {0} nT rms von |b| bleiben übrig, sein Rauschen ist {1} nT rms.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9720,8 +9764,8 @@ diesem Schritt …</translation>
         <translation>Aufbewahrt von dieser Messung: {0}</translation>
     </message>
     <message>
-        <source>{0} → {1} nT, noise alone {2} nT</source>
-        <translation>{0} → {1} nT, Rauschen allein {2} nT</translation>
+        <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
+        <translation>{0} → {1} nT rms des Vektors, Rauschen allein {2} nT rms</translation>
     </message>
     <message>
         <source>offset k {0} nT by {1}</source>
@@ -10152,6 +10196,10 @@ diesem Schritt …</translation>
         <translation>▲ Rest nicht erklärt: {0} nT von |b| bleiben über die Abbildung hinaus übrig, und niemand hat nach ihrer Ursache gesucht.</translation>
     </message>
     <message>
+        <source>To do here: {0}</source>
+        <translation>Hier zu tun: {0}</translation>
+    </message>
+    <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation>▲ Rest nicht erklärt: Niemand hat nach der Ursache dessen gesucht, was über die Abbildung hinaus übrig bleibt.</translation>
     </message>
@@ -10306,6 +10354,54 @@ diesem Schritt …</translation>
     <message>
         <source>Being fitted: {0}</source>
         <translation>Wird gefittet: {0}</translation>
+    </message>
+    <message>
+        <source>The bench that was open stays open: {0}.</source>
+        <translation>Der Messplatz, der offen war, bleibt offen: {0}.</translation>
+    </message>
+    <message>
+        <source>offset that follows the current {0}</source>
+        <translation>Offset, der dem Strom {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that follows the square of the current {0}</source>
+        <translation>Offset, der dem Quadrat des Stroms {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that follows the temperature {0}</source>
+        <translation>Offset, der der Temperatur {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that follows the channel {0}</source>
+        <translation>Offset, der dem Kanal {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset of the power mode {0}</source>
+        <translation>Offset der Betriebsart {0}</translation>
+    </message>
+    <message>
+        <source>gain that follows the temperature {0}</source>
+        <translation>Verstärkung, die der Temperatur {0} folgt</translation>
+    </message>
+    <message>
+        <source>gain that follows the channel {0}</source>
+        <translation>Verstärkung, die dem Kanal {0} folgt</translation>
+    </message>
+    <message>
+        <source>offset that drifts with time</source>
+        <translation>Offset, der mit der Zeit driftet</translation>
+    </message>
+    <message>
+        <source>offset that steps at one moment</source>
+        <translation>Offset, der zu einem Zeitpunkt springt</translation>
+    </message>
+    <message>
+        <source>gain that steps at one moment</source>
+        <translation>Verstärkung, die zu einem Zeitpunkt springt</translation>
+    </message>
+    <message>
+        <source>magnetisation that remembers earlier fields</source>
+        <translation>Magnetisierung, die frühere Felder behält</translation>
     </message>
 </context>
 <context>

@@ -427,6 +427,10 @@
         <translation>Choisir un étalonnage</translation>
     </message>
     <message>
+        <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
+        <translation>± U (k=2) est celle du seul paramètre de la ligne. Celle d&apos;une composante du champ, montage compris, est sous Incertitude ; le rms des pages Ajuster et Causes est type (k=1).</translation>
+    </message>
+    <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
         <translation>Choisissez un étalonnage, ou indiquez en haut quel DUT.</translation>
     </message>
@@ -548,6 +552,10 @@
     <message>
         <source>Correct what is red at the top.</source>
         <translation>Corrigez ce qui est rouge en haut.</translation>
+    </message>
+    <message>
+        <source>Correct what is red at the top, and what is marked ✕ above.</source>
+        <translation>Corrigez ce qui est rouge en haut, et ce qui est marqué ✕ ci-dessus.</translation>
     </message>
     <message>
         <source>A setting is not accepted: see above.</source>
@@ -1497,6 +1505,14 @@
     <message>
         <source>run {0} is none to be gone on with: it is {1}</source>
         <translation>la mesure {0} n&apos;est pas à continuer : elle est {1}</translation>
+    </message>
+    <message>
+        <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
+        <translation>{0} : ce n’est pas un fichier de banc : rien de ce qui s’y trouve n’est d’un banc</translation>
+    </message>
+    <message>
+        <source>{0}: {1} is not a key that is known here</source>
+        <translation>{0} : {1} n’est pas une clé connue ici</translation>
     </message>
     <message>
         <source>{0}; nothing was made</source>
@@ -5639,6 +5655,14 @@
         <translation>{0} : pas de réponse Modbus valable.</translation>
     </message>
     <message>
+        <source>{0}: does not answer as it should.</source>
+        <translation>{0} : ne répond pas comme il le devrait.</translation>
+    </message>
+    <message>
+        <source>does not answer as it should.</source>
+        <translation>ne répond pas comme il le devrait.</translation>
+    </message>
+    <message>
         <source>{0}: the reply belongs to another request.</source>
         <translation>{0} : la réponse appartient à une autre demande.</translation>
     </message>
@@ -6066,8 +6090,8 @@
         <translation>Voir le résultat</translation>
     </message>
     <message>
-        <source>Fit works it out again: figures and pictures side by side.</source>
-        <translation>Ajuster le recalcule : chiffres et images côte à côte.</translation>
+        <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
+        <translation>Les images et les chiffres de chaque méthode ne sont pas gardés : Ajuster les recalcule, côte à côte.</translation>
     </message>
     <message>
         <source>Fit estimates K and k; All methods compares eleven ways.</source>
@@ -6753,6 +6777,10 @@ cette étape …</translation>
         <translation>Remonter du résidu de cette mesure à sa cause.</translation>
     </message>
     <message>
+        <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
+        <translation>Les images et les chiffres de chaque cause ne sont pas gardés : « Recalculer » les refait.</translation>
+    </message>
+    <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
         <translation>Ces chiffres sont à part les erreurs que la mesure déclare ; en haut elles y sont.</translation>
     </message>
@@ -6878,10 +6906,6 @@ cette étape …</translation>
         <translation>Ville</translation>
     </message>
     <message>
-        <source>Country, as DE or Germany</source>
-        <translation>Pays, par exemple FR ou France</translation>
-    </message>
-    <message>
         <source>A country is two letters, as DE, or its name.</source>
         <translation>Un pays s’écrit en deux lettres, comme FR, ou par son nom.</translation>
     </message>
@@ -6896,6 +6920,10 @@ cette étape …</translation>
     <message>
         <source>Laboratory: {0}</source>
         <translation>Laboratoire : {0}</translation>
+    </message>
+    <message>
+        <source>Country, as DE</source>
+        <translation>Pays, comme FR</translation>
     </message>
     <message>
         <source>Customer: {0}</source>
@@ -7202,11 +7230,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Hand it out, as {0}</source>
-        <translation>Remettre, comme {0}</translation>
+        <translation>Remettre le certificat, comme {0}</translation>
     </message>
     <message>
         <source>Hand it out</source>
-        <translation>Remettre</translation>
+        <translation>Remettre le certificat</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -7708,6 +7736,10 @@ cette étape …</translation>
         <translation>Aucun banc n&apos;est ouvert.</translation>
     </message>
     <message>
+        <source>The bench is being opened …</source>
+        <translation>L&apos;ouverture du banc est en cours …</translation>
+    </message>
+    <message>
         <source>all answer</source>
         <translation>tous répondent</translation>
     </message>
@@ -7862,8 +7894,12 @@ cette étape …</translation>
         <translation>Un clic trie par cette colonne, un autre inverse l&apos;ordre</translation>
     </message>
     <message>
-        <source>in a table: in the order of the column beside</source>
-        <translation>dans une table : dans l&apos;ordre de la colonne voisine</translation>
+        <source>in a table: in the order of the column at the right</source>
+        <translation>dans une table : dans l&apos;ordre de la colonne de droite</translation>
+    </message>
+    <message>
+        <source>in a table: in the order of the column at the left</source>
+        <translation>dans une table : dans l&apos;ordre de la colonne de gauche</translation>
     </message>
     <message>
         <source>in a table: its order turned round</source>
@@ -7962,6 +7998,10 @@ cette étape …</translation>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
         <translation>✕ Pas prêt : {0}. Voir la page Banc.</translation>
+    </message>
+    <message>
+        <source>The bench is being opened …</source>
+        <translation>L&apos;ouverture du banc est en cours …</translation>
     </message>
     <message>
         <source>not known</source>
@@ -9348,8 +9388,8 @@ cette étape …</translation>
         <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
     </message>
     <message>
-        <source>with declared errors; noise alone {0} nT</source>
-        <translation>avec les erreurs déclarées ; bruit seul {0} nT</translation>
+        <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
+        <translation>rms du vecteur, avec les erreurs déclarées ; bruit seul {0} nT rms</translation>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
@@ -9580,6 +9620,10 @@ cette étape …</translation>
         <translation>Ainsi indiqué à l’approbation.</translation>
     </message>
     <message>
+        <source>None was when it was approved, and none can be added any more.</source>
+        <translation>Aucun ne l’était lors de l’approbation, et aucun ne peut plus être ajouté.</translation>
+    </message>
+    <message>
         <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
         <translation>AMBIGU : {0} est provisoire ; {1} peut aussi être la cause.</translation>
     </message>
@@ -9652,20 +9696,12 @@ cette étape …</translation>
         <translation>Sans résultat : {0}.</translation>
     </message>
     <message>
-        <source>✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. The loop judges the direction.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT de |b|, pas plus que son bruit, {1} nT. La page Causes juge la direction.</translation>
-    </message>
-    <message>
-        <source>▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.</source>
-        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT de |b|, son bruit est de {1} nT.</translation>
-    </message>
-    <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
         <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture. Le chiffre de la page Loop porte sur tout le vecteur de ces lignes, direction comprise.</translation>
     </message>
     <message>
-        <source>{0} nT of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+        <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
+        <translation>Il reste {0} nT rms de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
     </message>
     <message>
         <source>No specification is stated.</source>
@@ -9674,6 +9710,14 @@ cette étape …</translation>
     <message>
         <source>Trace the residual.</source>
         <translation>Expliquer le résidu.</translation>
+    </message>
+    <message>
+        <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT rms de |b|, pas plus que son bruit, {1} nT rms La page Causes juge la direction.</translation>
+    </message>
+    <message>
+        <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
+        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT rms de |b|, son bruit est de {1} nT rms</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -9720,8 +9764,8 @@ cette étape …</translation>
         <translation>Conservé de cette mesure : {0}</translation>
     </message>
     <message>
-        <source>{0} → {1} nT, noise alone {2} nT</source>
-        <translation>{0} → {1} nT, bruit seul {2} nT</translation>
+        <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
+        <translation>{0} → {1} nT rms du vecteur, bruit seul {2} nT rms</translation>
     </message>
     <message>
         <source>offset k {0} nT by {1}</source>
@@ -9853,11 +9897,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
-        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur elles.</translation>
+        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur ces estimations.</translation>
     </message>
     <message>
         <source>Estimates on the way: 1 note; no verdict rests on it.</source>
-        <translation>Estimations en cours de route : 1 note ; aucun verdict ne repose sur elle.</translation>
+        <translation>Estimations en cours de route : 1 note ; aucun verdict ne repose sur cette estimation.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
@@ -10152,6 +10196,10 @@ cette étape …</translation>
         <translation>▲ Résidu non expliqué : {0} nT de |b| restent au-delà de la transformation, et personne n&apos;en a cherché la cause.</translation>
     </message>
     <message>
+        <source>To do here: {0}</source>
+        <translation>À faire ici : {0}</translation>
+    </message>
+    <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
         <translation>▲ Résidu non expliqué : personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
     </message>
@@ -10306,6 +10354,54 @@ cette étape …</translation>
     <message>
         <source>Being fitted: {0}</source>
         <translation>Ajustement en cours : {0}</translation>
+    </message>
+    <message>
+        <source>The bench that was open stays open: {0}.</source>
+        <translation>Le banc qui était ouvert le reste : {0}.</translation>
+    </message>
+    <message>
+        <source>offset that follows the current {0}</source>
+        <translation>décalage qui suit le courant {0}</translation>
+    </message>
+    <message>
+        <source>offset that follows the square of the current {0}</source>
+        <translation>décalage qui suit le carré du courant {0}</translation>
+    </message>
+    <message>
+        <source>offset that follows the temperature {0}</source>
+        <translation>décalage qui suit la température {0}</translation>
+    </message>
+    <message>
+        <source>offset that follows the channel {0}</source>
+        <translation>décalage qui suit la voie {0}</translation>
+    </message>
+    <message>
+        <source>offset of the power mode {0}</source>
+        <translation>décalage du mode d&apos;alimentation {0}</translation>
+    </message>
+    <message>
+        <source>gain that follows the temperature {0}</source>
+        <translation>gain qui suit la température {0}</translation>
+    </message>
+    <message>
+        <source>gain that follows the channel {0}</source>
+        <translation>gain qui suit la voie {0}</translation>
+    </message>
+    <message>
+        <source>offset that drifts with time</source>
+        <translation>décalage qui dérive avec le temps</translation>
+    </message>
+    <message>
+        <source>offset that steps at one moment</source>
+        <translation>décalage qui saute à un instant</translation>
+    </message>
+    <message>
+        <source>gain that steps at one moment</source>
+        <translation>gain qui saute à un instant</translation>
+    </message>
+    <message>
+        <source>magnetisation that remembers earlier fields</source>
+        <translation>aimantation qui garde les champs d&apos;avant</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,7 @@ from labcal.gui.viewmodels.operator_name import name_objection
 from labcal.gui.viewmodels.path import Next, PathViewModel, Wanted
 from labcal.gui.viewmodels.platform_there import platform_there
 from labcal.gui.viewmodels.reference_again import seconded
+from labcal.gui.viewmodels.refused_bench import RefusedBench
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.gui.viewmodels.run_order import run_order
 from labcal.gui.viewmodels.said_for_now import SaidAtTheEnd, SaidForNow
@@ -99,6 +100,7 @@ class AppState(QObject):
         self.age_timer.start()
         self.off: CoilsOff = CoilsOff(self)
         self.left = LeftWithoutEnd(self)
+        self.refused = RefusedBench(self.lab, self.fault.emit, self.fault_over.emit)
         self.left.changed.connect(lambda: self.grow_old())
         self.run.changed.connect(self._update_run)
         self.run.changed.connect(lambda: self.watch.prepare(self.bench if self.run.lab and self.run.alive else ""))
@@ -118,11 +120,7 @@ class AppState(QObject):
         self.bench = self.bench or path  # what Coils off asks for even where it cannot be read
         self.lab.update(message=self.tr("Opening {0} …").format(Path(path).name), opening=True)
         self.left.look_early()
-        return self.quick_worker.request(ReadBench(path), partial(self.bench_known, path), self._not_opened)
-
-    def _not_opened(self, fault: Fault) -> None:
-        self.lab.update(message="", opening=False)
-        self.fault.emit(fault)
+        return self.quick_worker.request(ReadBench(path), partial(self.bench_known, path), self.refused.say)
 
     def bench_known(self, path: str, facts: Bench) -> None:
         """Take what the file at `path` says."""
@@ -130,6 +128,7 @@ class AppState(QObject):
             self.forget()
         elif self.facts is not None and links_of(facts) != self.run.links:
             self._forget_readings()
+        self.refused.put_away()
         self.lab.update(message="", opening=False)
         self.bench, self.facts, self.answered = path, facts, {}
         self.settings.setValue("bench", path)
@@ -288,8 +287,9 @@ class AppState(QObject):
         if said := self.login.objection() or self.left.objection():
             return self.fault.emit(Fault("input", said))
         self.set_identity(dut=dut)
+        elsewhere = run_id != self.run.run_id  # by another window, or long ago
         self.run.resume(run_id, self._order(procedure, {}))
-        if not (drawn := self.run.drawn).earlier:  # by another window, or long ago
+        if not (drawn := self.run.drawn).earlier and elsewhere:
             self.quick_worker.request(TellTurned(run_id), drawn.take_earlier, lambda fault: None)
         return self.page_requested.emit("Run")
 

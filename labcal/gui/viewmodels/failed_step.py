@@ -13,6 +13,7 @@ from labcal.bench.steps import ANEW, QUESTION
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.raw_reply import plainly
 from labcal.record.stream import FAULT, Event, Prompt
 
 WHAT, REMEDY, NO_ANSWER = "what", "remedy", "no_answer"  # in a prompt's drawing: what happened, what to do, who is lost
@@ -81,7 +82,7 @@ def said_of(event: Event, links: Mapping[str, str]) -> str:
 
 def without_age(what: str) -> str:
     """Since when nobody hears an instrument is said of it in one place, by one clock: in the list of all of them."""
-    return NO_SAMPLE.sub(UNHEARD, what)
+    return NO_SAMPLE.sub(UNHEARD, plainly(what))
 
 
 def _plain(what: str) -> str:

@@ -44,10 +44,12 @@ EXPLAINED = "explained"
 REACHED = 1.15  # of the noise: as the loop calls a run clean
 GOOD = QT_TRANSLATE_NOOP(
     "Words",
-    "✓ The calibration is good in size: {0} nT of |b| are left over, no more than its noise, {1} nT. "
+    "✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. "
     "The loop judges the direction.",
 )
-DOUBT = QT_TRANSLATE_NOOP("Words", "▲ The map alone is not enough: {0} nT of |b| are left over, its noise is {1} nT.")
+DOUBT = QT_TRANSLATE_NOOP(
+    "Words", "▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms."
+)
 OF_WHICH = QT_TRANSLATE_NOOP(
     "Words",
     "What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. "
@@ -61,7 +63,7 @@ LEFT_OPEN = QT_TRANSLATE_NOOP(
     "▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no "
     "calibration.",
 )
-NO_NOISE = QT_TRANSLATE_NOOP("Words", "{0} nT of |b| are left over; no noise is stated to compare it with.")
+NO_NOISE = QT_TRANSLATE_NOOP("Words", "{0} nT rms of |b| are left over; no noise is stated to compare it with.")
 NO_LIMITS = QT_TRANSLATE_NOOP("Words", "No specification is stated.")
 
 

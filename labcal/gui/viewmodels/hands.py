@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from labcal.gui.translations.translate import translated
+from labcal.gui.translations.translate import spoken, translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT
 from labcal.record.stream import Prompt
 
@@ -19,7 +19,13 @@ def coming(prompt: Prompt, words: str) -> str:
     """The `words` of a question as what is to come: before its answer neither a field nor a turn is there yet."""
     states = prompt.text.removesuffix("Hands off?").rstrip().endswith(".") and not prompt.text.startswith("Next ")
     ahead = prompt.key == READY and states
-    return translated(str(NEXT_IS)).format(words) if ahead else words
+    return translated(str(NEXT_IS)).format(_after_colon(words)) if ahead else words
+
+
+def _after_colon(words: str) -> str:
+    """A sentence goes on with a small letter there, but in German and where a name stands first."""
+    small = spoken() != "de" and (words[1:2].islower() or words[1:2].isspace())
+    return words[:1].lower() + words[1:] if small else words
 
 
 def says_hands_off(key: str, answer: object) -> bool:

@@ -17,6 +17,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import GUARDIAN
 from labcal.gui.viewmodels.in_brief import in_brief
+from labcal.gui.viewmodels.raw_reply import plainly
 
 Light = Literal["ok", "old", "waiting", "fault", "absent"]
 Lights = tuple[tuple[str, Light, str], ...]  # instrument, light, words
@@ -30,13 +31,8 @@ LIGHT_SHAPES = {  # shape, state, words where there are no better ones
 SILENT = QT_TRANSLATE_NOOP("Words", "no answer (plug? power?)")  # nobody can tell which: both are looked at
 LOST = QT_TRANSLATE_NOOP("Words", "no answer (link lost)")
 HEARD = QT_TRANSLATE_NOOP("Words", "heard {0}")
-UNHEARD = (
-    "silent",
-    "no reply",
-    "no sample",
-    "nothing came",
-    "no valid Modbus reply",
-)  # in a fault: one state, however who asked puts it
+# in a fault: one state, however who asked puts it
+UNHEARD = ("silent", "no reply", "no sample", "nothing came", "no valid Modbus reply")
 BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
     "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
@@ -382,7 +378,9 @@ def _no_answer(fault: str) -> str:
     """The one word for it; how it was found stands in the card and in the record. What failed otherwise says how."""
     if any(one in fault for one in UNHEARD):
         return translated(str(SILENT))
-    return translated(str(LOST)) if "link lost" in fault or "the link was lost" in fault else in_words(fault)
+    if "link lost" in fault or "the link was lost" in fault:
+        return translated(str(LOST))
+    return in_words(plainly(fault).partition(": ")[2] if plainly(fault) != fault else fault)
 
 
 def _heard(age: str) -> str:

@@ -36,7 +36,7 @@ from labcal.gui.viewmodels.last_words import last_words
 from labcal.gui.viewmodels.moved import Moved
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.ring_buffer import RingBuffer
-from labcal.gui.viewmodels.run_steps import Mark, axis_of, in_turn, left_out, marks_of, name_a_turn, to_come
+from labcal.gui.viewmodels.run_steps import Mark, axis_of, in_turn, left_out, marks_of, name_a_turn, to_come, uses_none
 from labcal.gui.viewmodels.run_time import RunTime
 from labcal.record.delays import delays_open
 from labcal.record.stream import (
@@ -125,7 +125,8 @@ class RunViewModel(QObject):
         """Go on with an interrupted run."""
         kept = {name: getattr(self, name) for name in STILL_SHOWN} | {"drawn": self.drawn.gone_on_with()}
         command = ResumeRun(run_id, order.bench, order.dut, order.pace, order.seed, order.procedure, order.operator)
-        self._begin(order, command, run_id, kept.items() if run_id == self.run_id else ())
+        used = run_id == self.run_id and not uses_none(self.steps())
+        self._begin(order, command, run_id, kept.items() if used else ())
         self.goes_on, self.anew = True, self.virtual_time
 
     def come_back(self) -> None:
@@ -182,8 +183,7 @@ class RunViewModel(QObject):
     def _end(self, word: Word, message: str) -> None:
         if self.alive:
             self._worker.send(word)
-            self._unbegun = self.prompt is not None and not self._measures
-            self.prompt, self.message = None, message
+            self._unbegun, self.prompt, self.message = self.prompt is not None and not self._measures, None, message
             self._be("stopping")
 
     def note(self, text: str, **data: str) -> None:
@@ -230,9 +230,9 @@ class RunViewModel(QObject):
             return []
         at = self.names.index(self.step.name) if self.step.name in self.names else len(self.names)
         over = self.state in ("ended", "starting")  # it broke off there, and nothing of it goes on yet
-        broken: Mark = "next" if self._unbegun else "broken"
-        here: Mark = ("done" if self.status == "finished" else broken) if over else "now"
-        marks = marks_of(self.names, at, here, self.measurements, self.skipped)
+        broken: Mark = "done" if self.status == "finished" else "next" if self._unbegun else "broken"
+        left = over and self.status.startswith("interrupted")
+        marks = marks_of(self.names, at, broken if over else "now", self.measurements, self.skipped, broken_off=left)
         return list(zip(self.names, marks, strict=True))
 
     def steps_done(self) -> int:

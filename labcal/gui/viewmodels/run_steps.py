@@ -11,16 +11,32 @@ Mark = Literal["done", "now", "next", "skipped", "broken"]
 
 
 def marks_of(
-    names: Sequence[str], at: int, here: Mark, measured: Collection[str], skipped: Collection[str]
+    names: Sequence[str],
+    at: int,
+    here: Mark,
+    measured: Collection[str],
+    skipped: Collection[str],
+    *,
+    broken_off: bool = False,
 ) -> list[Mark]:
     """A mark for each of the steps `names`, of which number `at` is reached and stands as `here` says.
 
     `measured`: names of what was measured. A step that comes later and is kept from before an interruption is done.
+    `broken_off`: it may be gone on with; where no turn is done that uses nothing, and no step is done.
     """
     out = left_out(names[:at], measured, skipped)
     before: list[Mark] = ["skipped" if name in out else "done" for name in names[:at]]
     later: list[Mark] = ["done" if _is_kept(name, names, measured) else "next" for name in names[at + 1 :]]
-    return [*before, *([here] if at < len(names) else []), *later]
+    marks = [*before, *([here] if at < len(names) else []), *later]
+    if broken_off and uses_none(zip(names, marks, strict=True)):
+        return ["next" if mark == "done" else mark for mark in marks]
+    return marks
+
+
+def uses_none(steps: Iterable[tuple[str, Mark]]) -> bool:
+    """Whether one that is gone on with uses nothing of before: it was to turn, and no turn was finished."""
+    turns = [mark for name, mark in steps if name_a_turn((name,))]
+    return bool(turns) and "done" not in turns
 
 
 def name_a_turn(steps: Sequence[str]) -> bool:

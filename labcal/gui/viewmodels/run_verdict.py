@@ -159,10 +159,9 @@ def result_word(worst: str, missing: Collection[str] = ()) -> tuple[str, str]:
 
 def end_result(status: str, *, stopped: bool = False, by_off: bool = False) -> tuple[str, str]:
     """How a run ended that did not finish, likewise: in the words of the card of its end; `stopped` by a person."""
-    word = ended_word(status, stopped=stopped)
-    shape, state = ENDS.get(word) or ENDS.get(status.partition(":")[0], ("", ""))
+    shape, state = ENDS.get(ended_word(status, stopped=stopped)) or ENDS.get(status.partition(":")[0], ("", ""))
     said = translated(ended_word(status, stopped=stopped, by_off=by_off))
-    return (f"{shape} {said.upper() if said == translated(word) else said}", state) if shape else (said, "")
+    return (f"{shape} {said.upper()}", state) if shape else (said, "")
 
 
 def keeps_a_turn(run: RunViewModel) -> bool:

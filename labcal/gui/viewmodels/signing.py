@@ -39,6 +39,7 @@ WHO_STATES = QT_TRANSLATE_NOOP(
     "Words", "That day is stated by who approves (2), by the interval of your lab; labcal works none out here."
 )
 AS_IT_WAS = QT_TRANSLATE_NOOP("Words", "So it was stated when it was approved.")
+NONE_WAS = QT_TRANSLATE_NOOP("Words", "None was when it was approved, and none can be added any more.")
 AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
 ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
 NEXT_DUT = QT_TRANSLATE_NOOP("Words", "Handed out. Next: another DUT.")
@@ -133,7 +134,8 @@ def valid_words(one: CalibrationFile, typed: str) -> str:
     says = until_words(one, typed)
     if one.standing.signatures:
         return says
-    return f"{says} {translated(str(AS_IT_WAS if one.approvers else WHO_STATES))}"
+    approved = AS_IT_WAS if one.until else NONE_WAS
+    return f"{says} {translated(str(approved if one.approvers else WHO_STATES))}"
 
 
 def awaited(one: CalibrationFile) -> list[str]:

@@ -14,6 +14,7 @@ from labcal.gui.viewmodels.path import PathViewModel
 NOT_TRACED = QT_TRANSLATE_NOOP(
     "Words", "▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause."
 )
+DO_HERE = QT_TRANSLATE_NOOP("Words", "To do here: {0}")
 NO_FIGURE = QT_TRANSLATE_NOOP(
     "Words", "▲ Not traced: nobody has looked for the cause of what is left over beyond the map."
 )
@@ -36,6 +37,7 @@ def comes_first(path: PathViewModel, one: CalibrationFile) -> str:
     return translated(str(NEXT_IS)).format(to.words) if before else ""
 
 
-def next_is(step: str) -> str:
-    """That this step is next; "" where none is."""
-    return translated(str(NEXT_IS)).format(translated(step)) if step else ""
+def next_is(path: PathViewModel, one: CalibrationFile, step: str) -> str:
+    """That this step is next, or to be done here where Next is of something else; "" where none is."""
+    words = NEXT_IS if path.next().about == one.run_id else DO_HERE
+    return translated(str(words)).format(translated(step)) if step else ""

@@ -17,6 +17,7 @@ from labcal.gui.viewmodels.failed_step import without_age
 from labcal.gui.viewmodels.guardian import guardian_is
 from labcal.gui.viewmodels.in_brief import in_brief
 from labcal.gui.viewmodels.lab_now import mark_of, platform_mark, platform_said
+from labcal.gui.viewmodels.raw_reply import plainly
 from labcal.gui.widgets.common import Card, button, label, set_state
 from labcal.gui.widgets.kept_lines import KeptLines
 from labcal.gui.widgets.whole_card import WholeCard
@@ -145,7 +146,7 @@ class FaultCard(WholeCard):
         self.meaning.setText(guardian_is(fault.kind, fault.text, fault.remedy))
         self.meaning.setVisible(bool(self.meaning.text()))
         self.details.setPlainText(self._for_others(fault))
-        self.fold.setVisible(bool(fault.details or fault.mends) and not stopped)
+        self.fold.setVisible(bool(self.details.toPlainText()) and not stopped)
         self.fold.setChecked(False)
         self.details.hide()
         QTimer.singleShot(0, self, self._come_into_sight)
@@ -161,7 +162,8 @@ class FaultCard(WholeCard):
         """What is behind the fold: of what is no technician's business, whose it is."""
         theirs = bool(fault.mends) or "Traceback" in fault.details
         head = self.tr("For who mends labcal; a problem report holds it:") if theirs else ""
-        return "\n\n".join(filter(None, (head, fault.mends, fault.details)))
+        raw = fault.text if plainly(fault.text) != fault.text and fault.text not in fault.details else ""
+        return "\n\n".join(filter(None, (head, fault.mends, raw, fault.details)))
 
     def _come_into_sight(self) -> None:
         """On a page that is scrolled."""

@@ -31,6 +31,11 @@ class IdleQueue(QObject):
         self._jobs[name] = job
         self._timer.start()
 
+    @property
+    def waits(self) -> bool:
+        """Whether anything is still to be done."""
+        return bool(self._jobs)
+
     def finish(self) -> None:
         """Do all that waits, now."""
         while self._jobs:

@@ -66,7 +66,7 @@ class NamesCard(Card):
     def _row(self, row: int, who: str, tip: str) -> Fields:
         fields = QLineEdit(), QLineEdit(), QLineEdit()
         for column, (field, what) in enumerate(
-            zip(fields, (who, self.tr("City"), self.tr("Country, as DE or Germany")), strict=True)
+            zip(fields, (who, self.tr("City"), self.tr("Country, as DE")), strict=True)
         ):
             field.setPlaceholderText(what)
             field.setToolTip(f"{who}: {what}" if column else tip)

@@ -20,8 +20,8 @@ class SortedTable(Table):
         header.setSortIndicatorShown(True)
         header.sectionClicked.connect(self.sort_wanted)
         header.setToolTip(self.tr("Click to sort by this column, again to turn the order round"))
-        for key, steps in (("Ctrl+Right", 1), ("Ctrl+Left", -1)):
-            self._key(key, steps, self.tr("in a table: in the order of the column beside"))
+        self._key("Ctrl+Right", 1, self.tr("in a table: in the order of the column at the right"))
+        self._key("Ctrl+Left", -1, self.tr("in a table: in the order of the column at the left"))
         self._key("Ctrl+Down", 0, self.tr("in a table: its order turned round"))
 
     def _key(self, key: str, steps: int, words: str) -> None:
