@@ -96,7 +96,7 @@ def test_the_end_of_the_run_may_be_wanted_while_hands_are_kept_out(running):
 def test_whether_hands_are_off_is_asked_as_before_while_something_turns(running):
     send(running, READY)
     says(running, platform=stands(moving=True))
-    assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == f"Next: {READY.text}"
+    assert card_of(running).text.text().replace("\N{NO-BREAK SPACE}", " ") == f"Next: t{READY.text[1:]}"
 
 
 @pytest.mark.parametrize(("set_A", "answered"), [(0.4, True), (0.0, False)])  # by the run; by nobody that is known

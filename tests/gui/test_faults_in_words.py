@@ -44,8 +44,9 @@ def fail(window, fault, *items, coils=()):
 def test_a_run_that_fails_says_how_it_left_the_coils(still, coils, words):
     card = fail(still, LOST, coils=coils)
     said = "coils not read back since they were ordered off" if "Press" in words else words  # and it was
-    assert card.coils.text().startswith(said)
-    once = [one for one in (card.hands, card.coils) if one.isVisible() and card.coils.text() in one.text()]
+    told = card.coils.text().removeprefix("✓ ")
+    assert told.startswith(said)
+    once = [one for one in (card.hands, card.coils) if one.isVisible() and told in one.text()]
     assert len(once) == 1
     asked_for_zero = bool(still.app_state.off_worker.commands(SwitchOff))
     assert asked_for_zero == ("Press" in words)  # by another worker, without being told to

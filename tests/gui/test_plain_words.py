@@ -147,7 +147,7 @@ def test_who_stops_a_run_reads_how_it_stands_and_no_alarm(still):
     stopped = Fault("stopped", "stopped by the operator", "", "Traceback: …")
     still.app_state.bench_worker.answer(RunProcedure, Ended("r1", "stopped", stopped))
     card = still.page("Run").live.fault
-    assert card.coils.text() == "coils at zero"
+    assert card.coils.text() == "✓ coils at zero"
     assert card.text.text().startswith("What was measured is kept")
     assert not card.save.isVisible()
     card.show_fault(Fault("instrument", "The reference is silent."))

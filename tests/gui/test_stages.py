@@ -44,7 +44,7 @@ def test_first_stands_what_it_is_then_what_to_do_and_the_figures_last(page):
     order = (page.drop, page.detail, page.steps, page.paper, page.figures)
     tops = [part.y() for part in order]
     assert tops == sorted(tops)
-    assert page.to_do.text() == "Next: Sign (3)"
+    assert page.to_do.text() == "To do here: Sign (3)"
     assert page.drop.choose.text() == "Verify a file …"
     assert page.drop.choose.y() < page.detail.y()
 
