@@ -185,6 +185,8 @@ def at_rest(window):
     from labcal.gui.ipc.messages import ListRuns, ReadBench
 
     app_state = window.app_state
+    if not (give_up := window.page("Run").choose.give_up).isHidden():
+        give_up.click()
     window.scanner.flush()
     window.resize(window.size_at_first)  # in a smaller one the next test's words would have less room
     window.raise_()
