@@ -2,7 +2,6 @@
 
 import ast
 from dataclasses import replace
-from importlib.metadata import entry_points
 from pathlib import Path
 
 import pytest
@@ -21,7 +20,6 @@ from labcal.gui.ipc.record_messages import TellTurned
 from labcal.gui.ipc.wire import Fault, fault_of
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations import translate
-from labcal.gui.viewmodels.cause_words import PLAIN, in_plain_words
 from labcal.gui.viewmodels.hands import coming
 from labcal.gui.viewmodels.lab_now import lab_now
 from labcal.gui.widgets.key_sheet import KeySheet
@@ -246,16 +244,6 @@ def test_settings_that_are_wrong_beside_the_serial_are_said_too(still):
     assert choose.objection.text() == "Correct what is red at the top."
     choose.form.set_text("axes", "w")
     assert choose.objection.text() == "Correct what is red at the top, and what is marked ✕ above."
-
-
-def test_a_cause_is_told_in_plain_words_with_its_name_beside_it(in_language):
-    said = in_plain_words("offset-current", ("i_eps",))
-    assert said == "offset that follows the current i_eps – offset-current (i_eps)"
-    assert in_plain_words("of-a-package", ("u",)) == "of-a-package (u)"
-    assert in_plain_words("hysteresis", ()).endswith(" – hysteresis")
-    assert set(PLAIN) <= {one.name for one in entry_points(group="labcal.effects")}
-    in_language("fr")
-    assert in_plain_words("offset-current", ("i_eps",)).startswith("décalage qui suit le courant i_eps")
 
 
 def test_each_page_says_what_kind_of_number_its_own_is(new_window):

@@ -10358,50 +10358,6 @@ after this step …</source>
         <source>The bench that was open stays open: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>offset that follows the current {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset that follows the square of the current {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset that follows the temperature {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset that follows the channel {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset of the power mode {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>gain that follows the temperature {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>gain that follows the channel {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset that drifts with time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>offset that steps at one moment</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>gain that steps at one moment</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>magnetisation that remembers earlier fields</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -10359,50 +10359,6 @@ diesem Schritt …</translation>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Der Messplatz, der offen war, bleibt offen: {0}.</translation>
     </message>
-    <message>
-        <source>offset that follows the current {0}</source>
-        <translation>Offset, der dem Strom {0} folgt</translation>
-    </message>
-    <message>
-        <source>offset that follows the square of the current {0}</source>
-        <translation>Offset, der dem Quadrat des Stroms {0} folgt</translation>
-    </message>
-    <message>
-        <source>offset that follows the temperature {0}</source>
-        <translation>Offset, der der Temperatur {0} folgt</translation>
-    </message>
-    <message>
-        <source>offset that follows the channel {0}</source>
-        <translation>Offset, der dem Kanal {0} folgt</translation>
-    </message>
-    <message>
-        <source>offset of the power mode {0}</source>
-        <translation>Offset der Betriebsart {0}</translation>
-    </message>
-    <message>
-        <source>gain that follows the temperature {0}</source>
-        <translation>Verstärkung, die der Temperatur {0} folgt</translation>
-    </message>
-    <message>
-        <source>gain that follows the channel {0}</source>
-        <translation>Verstärkung, die dem Kanal {0} folgt</translation>
-    </message>
-    <message>
-        <source>offset that drifts with time</source>
-        <translation>Offset, der mit der Zeit driftet</translation>
-    </message>
-    <message>
-        <source>offset that steps at one moment</source>
-        <translation>Offset, der zu einem Zeitpunkt springt</translation>
-    </message>
-    <message>
-        <source>gain that steps at one moment</source>
-        <translation>Verstärkung, die zu einem Zeitpunkt springt</translation>
-    </message>
-    <message>
-        <source>magnetisation that remembers earlier fields</source>
-        <translation>Magnetisierung, die frühere Felder behält</translation>
-    </message>
 </context>
 <context>
     <name>WorkBar</name>

@@ -10359,50 +10359,6 @@ cette étape …</translation>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Le banc qui était ouvert le reste : {0}.</translation>
     </message>
-    <message>
-        <source>offset that follows the current {0}</source>
-        <translation>décalage qui suit le courant {0}</translation>
-    </message>
-    <message>
-        <source>offset that follows the square of the current {0}</source>
-        <translation>décalage qui suit le carré du courant {0}</translation>
-    </message>
-    <message>
-        <source>offset that follows the temperature {0}</source>
-        <translation>décalage qui suit la température {0}</translation>
-    </message>
-    <message>
-        <source>offset that follows the channel {0}</source>
-        <translation>décalage qui suit la voie {0}</translation>
-    </message>
-    <message>
-        <source>offset of the power mode {0}</source>
-        <translation>décalage du mode d&apos;alimentation {0}</translation>
-    </message>
-    <message>
-        <source>gain that follows the temperature {0}</source>
-        <translation>gain qui suit la température {0}</translation>
-    </message>
-    <message>
-        <source>gain that follows the channel {0}</source>
-        <translation>gain qui suit la voie {0}</translation>
-    </message>
-    <message>
-        <source>offset that drifts with time</source>
-        <translation>décalage qui dérive avec le temps</translation>
-    </message>
-    <message>
-        <source>offset that steps at one moment</source>
-        <translation>décalage qui saute à un instant</translation>
-    </message>
-    <message>
-        <source>gain that steps at one moment</source>
-        <translation>gain qui saute à un instant</translation>
-    </message>
-    <message>
-        <source>magnetisation that remembers earlier fields</source>
-        <translation>aimantation qui garde les champs d&apos;avant</translation>
-    </message>
 </context>
 <context>
     <name>WorkBar</name>

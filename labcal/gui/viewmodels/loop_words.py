@@ -8,8 +8,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Loop
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.cause_words import in_plain_words
 from labcal.gui.viewmodels.number_format import format_number
+from labcal.gui.viewmodels.study import cause_name
 
 VERDICTS = {  # with its colour
     "clean": ("✓ CLEAN", "good"),
@@ -111,7 +111,7 @@ def said_plainly(loop: Loop) -> str:
     """One sentence or two for the technician, without a figure."""
     if not_determined(loop):
         return translated(str(NOT_DETERMINED[1]))
-    names = [in_plain_words(effect.effect, effect.channels) for effect in loop.accepted]
+    names = [cause_name(effect.effect, effect.channels) for effect in loop.accepted]
     named = names[0] if len(names) == 1 else translated("rows that were set aside")
     if len(names) > 1:
         named = translated("{0} and {1}").format(", ".join(names[:-1]), names[-1])

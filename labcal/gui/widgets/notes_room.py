@@ -27,12 +27,12 @@ class NotesRoom(QWidget):
         """What is left of a line for each."""
         return QSize(0, self._high)
 
-    def fit(self, *, kept: bool) -> None:
-        """One has come, gone or grown; `kept`: whether there is room to be kept at all."""
+    def fit(self, *, roomy: bool) -> None:
+        """One has come, gone or grown; `roomy`: whether there is room to be kept at all."""
         lines = [one.fontMetrics().lineSpacing() + ROUNDED_PX for one in self._notes]
         seen = [(one, line) for one, line in zip(self._notes, lines, strict=True) if not one.isHidden()]
         taken = sum(max(line, one.heightForWidth(one.width())) + self._apart_px for one, line in seen)
-        high = max(0, sum(lines) + len(lines) * self._apart_px - taken) if kept else 0
+        high = max(0, sum(lines) + len(lines) * self._apart_px - taken) if roomy else 0
         if high != self._high:
             self._high = high
             self.updateGeometry()

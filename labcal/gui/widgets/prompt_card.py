@@ -148,7 +148,7 @@ class PromptCard(UncutCard):
         usual = self._row.geometry().width() * WORDED // (WORDED + PICTURED)
         crowded = self._rolled.crowded(usual)
         self._row.setStretch(1, pictured * (CROWDED if crowded else PICTURED))  # what is said of hands comes first
-        self._room.fit(kept=not crowded)
+        self._room.fit(roomy=not crowded)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Another width: other lines."""
