@@ -62,3 +62,12 @@ def test_one_turn_alone_is_drawn_as_before_and_nothing_of_several_stays(views, i
     assert loci.turns == []
     assert [plot.getPlotItem().titleLabel.maximumHeight() for plot in loci.plots] == [0.0] * 3
     assert len(loci._views[0][0][0].getData()[0])
+
+
+def test_a_plot_is_no_wider_than_its_place_however_much_is_written_above_it(views):
+    above = [plot.getPlotItem().titleLabel for plot in drawn(views, INDEX).plots]
+    for index in (INDEX, np.zeros(12)):
+        drawn(views, index)
+        for label in above:
+            label.resizeEvent(None)  # as at another size of the window
+        assert [label.effectiveSizeHint(Qt.SizeHint.MinimumSize).width() for label in above] == [0.0] * 3

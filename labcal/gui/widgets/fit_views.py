@@ -17,7 +17,7 @@ from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.turns import turns_of
 from labcal.gui.widgets.common import Card, combo_box, label, offer, shrinkable
 from labcal.gui.widgets.plot_export import export_buttons
-from labcal.gui.widgets.plot_letters import title_size
+from labcal.gui.widgets.plot_letters import say_above
 from labcal.gui.widgets.plots import DASHED, apply_theme, legend_above, named_curves, plot
 from labcal.gui.widgets.shell_plot import draw_degrees
 from labcal.gui.widgets.study_plots import Residuals, with_alpha
@@ -245,5 +245,5 @@ class FitViews(Card):
             self.histogram.plot(x, gauss, pen=pg.mkPen(self._theme.text, width=2))
         rms = format_number(float(np.sqrt(np.mean(residual**2))), signed=False)
         words = self.tr("mean {0} nT, rms {1} nT").format(format_number(float(residual.mean())), rms)
-        self.histogram.setTitle(words, size=title_size())
+        say_above(self.histogram, words)
         self.histogram.autoRange()

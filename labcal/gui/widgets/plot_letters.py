@@ -5,9 +5,10 @@ Nothing here imports what draws plots: the window is in sight before that.
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QApplication, QGraphicsView, QWidget
 
@@ -40,6 +41,22 @@ def title_size() -> str:
     return f"{LETTERS.scale * SMALL:g}pt"
 
 
+def say_above(widget: Any, words: str | None) -> None:
+    """Write `words` above a plot, None: nothing; however long they are or were, it is no wider than its place."""
+    item = widget.getPlotItem()
+    item.titleLabel.updateMin = partial(_be_as_narrow_as_need_be, item.titleLabel)  # it is called at each resize
+    item.setTitle(words, size=title_size())
+    item.titleLabel.updateMin()
+
+
+def _be_as_narrow_as_need_be(words: Any) -> None:
+    high = words.itemRect().height()
+    words.setMinimumSize(0, high)
+    least, usual = Qt.SizeHint.MinimumSize, Qt.SizeHint.PreferredSize
+    words._sizeHint = words._sizeHint | {least: (0, high), usual: (0, high)}
+    words.updateGeometry()
+
+
 def fit_letters(widget: Any) -> None:
     """Give a plot the letters of now: its figures, the names of its axes and lines, and what stands above it."""
     item, font = widget.getPlotItem(), LETTERS.font()
@@ -55,7 +72,7 @@ def fit_letters(widget: Any) -> None:
             if (letters := getattr(named, "setFont", None)) is not None:
                 letters(font)
     if item.titleLabel.isVisible():
-        item.setTitle(item.titleLabel.text, size=title_size())
+        say_above(widget, item.titleLabel.text)
 
 
 def scale_plots(window: QWidget, scale: float) -> None:

@@ -17,7 +17,7 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import MINUS, NARROW_SPACE
 from labcal.gui.widgets.deferred_repaint import DeferredRepaint
-from labcal.gui.widgets.plot_letters import LETTERS, fit_letters, title_size
+from labcal.gui.widgets.plot_letters import LETTERS, fit_letters, say_above
 
 Array = NDArray[np.float64]
 AXES = ("x", "y", "z")
@@ -303,7 +303,7 @@ def spread(values: Array, least: float) -> list[float]:
 def legend_above(widget: pg.PlotWidget, named: Iterable[tuple[str, str]]) -> None:
     """Write what is drawn above it, (name, colour) each: a word has the colour of what it names, and covers nothing."""
     words = [f'<span style="color: {colour}; font-weight: 600">{name}</span>' for name, colour in named]
-    widget.setTitle(WIDE_GAP.join(words), size=title_size())
+    say_above(widget, WIDE_GAP.join(words))
 
 
 def named_curves(widget: pg.PlotWidget, t_s: Array, curves: Sequence[tuple[str, str, Array]]) -> None:

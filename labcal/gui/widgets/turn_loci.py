@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.turns import Turn
+from labcal.gui.widgets.plot_letters import say_above
 from labcal.gui.widgets.plots import (
     AXES,
     DASHED,
@@ -56,7 +57,7 @@ class TurnLoci(Loci):
         for widget, axis in zip(self.plots, AXES, strict=False):  # what is no turn beside those about x
             of_it = [turn for turn, _ in self.turns if (turn.axis or AXES[0]) == axis]
             named = [(f"{DASHED} {one.name}" if one.down else one.name, ink_of(one, theme)) for one in of_it]
-            legend_above(widget, named) if self.turns else widget.setTitle(None)  # all circles of one size
+            legend_above(widget, named) if self.turns else say_above(widget, None)  # all circles of one size
 
 
 def ink_of(turn: Turn, theme: Theme) -> str:
