@@ -56,9 +56,8 @@ def test_where_it_stands_is_as_old_as_its_reading_says_beside_it(still):
 SIZES = ((128, 200), (300, 300), (260, 500), (620, 420))
 
 
-@pytest.mark.parametrize("size", SIZES, ids=str)
-@pytest.mark.parametrize("up", "xyz")
-def test_names_of_axes_lie_over_no_other_name_and_within_the_drawing(qtbot, size, up):
+def mounted(qtbot, size, up):
+    """The drawing of a mounting with this body axis up, of this size, drawn."""
     drawing = Mounting(LIGHT)
     qtbot.addWidget(drawing)
     drawing.resize(*size)
@@ -66,6 +65,13 @@ def test_names_of_axes_lie_over_no_other_name_and_within_the_drawing(qtbot, size
     drawing.show_drawing({"body_from_cage": attitude(bench, up).tolist(), "axis_cage": [0.0, 0.0, 1.0]})
     drawing.show_platform(0.0)
     drawing.grab()
+    return drawing
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize("up", "xyz")
+def test_names_of_axes_lie_over_no_other_name_and_within_the_drawing(qtbot, size, up):
+    drawing = mounted(qtbot, size, up)
     assert len(drawing.names) == 5
     assert all(drawing.rect().toRectF().contains(place) for place in drawing.names.values())
     assert [pair for pair in combinations(drawing.names.values(), 2) if pair[0].intersects(pair[1])] == []
@@ -78,13 +84,7 @@ def test_names_of_axes_lie_on_no_line_of_the_drawing(qtbot, monkeypatch, size, u
     monkeypatch.setattr(
         mounting_view, "placed", lambda tips, lines, within: drawn.extend(lines) or placed(tips, lines, within)
     )
-    drawing = Mounting(LIGHT)
-    qtbot.addWidget(drawing)
-    drawing.resize(*size)
-    bench = SimpleNamespace(config=SimpleNamespace(platform=SimpleNamespace(axis_cage=(0.0, 0.0, 1.0))))
-    drawing.show_drawing({"body_from_cage": attitude(bench, up).tolist(), "axis_cage": [0.0, 0.0, 1.0]})
-    drawing.show_platform(0.0)
-    drawing.grab()
+    drawing = mounted(qtbot, size, up)
     assert len(drawn) > 60  # the rim of the platform and the edges of the box are among them
     points = [line.pointAt(n / 20) for line in drawn for n in range(21)]
     assert {name for name, place in drawing.names.items() if any(map(place.contains, points))} == set()

@@ -14,6 +14,7 @@ from labcal.loop.candidates.library import Candidate
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.selection.crossval import block_folds
 from labcal.loop.selection.exchanged import exchanged
+from labcal.loop.selection.select import prefer_computable
 from labcal.store import read_bundle
 
 BLIND = Path(__file__).parents[1] / "blind"
@@ -53,6 +54,15 @@ def test_what_is_refused_takes_no_place_and_what_stands_alone_keeps_its_own(
     blocks, rankings = block_folds(pool.problem, 0.0), [pool.rank([step, drift, current], [])]
     assert exchanged(pool, blocks, [drift, current], rankings, {step.cause}) == [drift, current]
     assert exchanged(pool, blocks, [drift], rankings, ()) == [drift]
+
+
+def test_alone_too_what_is_far_likelier_goes_before_what_follows_time_or_is_the_rigs(
+    stepped: tuple[CandidateSet, Candidate, Candidate, Candidate],
+) -> None:
+    pool, step, drift, _ = stepped
+    blocks = block_folds(pool.problem, 0.0)
+    assert [c.family.id for c in prefer_computable(pool, blocks, [drift], ())] == ["offset-step"]
+    assert prefer_computable(pool, blocks, [drift], {step.cause}) == [drift]
 
 
 @pytest.mark.slow

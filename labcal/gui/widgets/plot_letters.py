@@ -5,10 +5,9 @@ Nothing here imports what draws plots: the window is in sight before that.
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QApplication, QGraphicsView, QWidget
 
@@ -44,17 +43,9 @@ def title_size() -> str:
 def say_above(widget: Any, words: str | None) -> None:
     """Write `words` above a plot, None: nothing; however long they are or were, it is no wider than its place."""
     item = widget.getPlotItem()
-    item.titleLabel.updateMin = partial(_be_as_narrow_as_need_be, item.titleLabel)  # it is called at each resize
+    label = item.titleLabel
+    label.updateMin = lambda: label.setMinimumSize(0, label.itemRect().height())  # pyqtgraph calls it at each resize
     item.setTitle(words, size=title_size())
-    item.titleLabel.updateMin()
-
-
-def _be_as_narrow_as_need_be(words: Any) -> None:
-    high = words.itemRect().height()
-    words.setMinimumSize(0, high)
-    least, usual = Qt.SizeHint.MinimumSize, Qt.SizeHint.PreferredSize
-    words._sizeHint = words._sizeHint | {least: (0, high), usual: (0, high)}
-    words.updateGeometry()
 
 
 def fit_letters(widget: Any) -> None:

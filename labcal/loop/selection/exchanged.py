@@ -41,13 +41,11 @@ def exchanged(
 
 def _likeliest(rankings: Sequence[Sequence[Scored]]) -> list[Candidate]:
     """The causes that led at some step, each in the form in which it did."""
-    best = dict[Cause, Scored]()
-    for one in (scored for ranking in rankings for scored in ranking):
-        if one.evidence > policy.POLICY.min_evidence and one.evidence > getattr(
-            best.get(one.candidate.cause), "evidence", 0.0
-        ):
-            best[one.candidate.cause] = one
-    return [one.candidate for one in sorted(best.values(), key=lambda w: -w.evidence)[:MAX_TRIED]]
+    best = dict[Cause, Candidate]()
+    for one in sorted((w for ranking in rankings for w in ranking), key=lambda w: -w.evidence):
+        if one.evidence > policy.POLICY.min_evidence:
+            best.setdefault(one.candidate.cause, one.candidate)
+    return list(best.values())[:MAX_TRIED]
 
 
 def _likelier(
