@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QColor, QFontDatabase, QImage, QPainter
+from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QApplication
 
 if TYPE_CHECKING:
@@ -232,7 +232,7 @@ def main() -> None:
     given.out.mkdir(parents=True, exist_ok=True)
     os.environ["LABCAL_HOME"] = str(home)
     application = QApplication(sys.argv[:1])
-    application.setFont(interface_font(application.font(), QFontDatabase.families()))
+    application.setFont(interface_font(application.font()))
     studio = Studio(home, given.out, tuple(name for name in given.only.split(",") if name), given.pace)
     render(studio)
     studio.window.close()

@@ -41,7 +41,6 @@ def main() -> int:
         print(f"labcal gui: Qt does not load ({error}); on Debian: apt-get install {needed}", file=sys.stderr)
         return 2
     from PySide6.QtCore import QLocale, QTimer
-    from PySide6.QtGui import QFontDatabase
 
     from labcal.gui.once import keep_picture
     from labcal.gui.one_window import OneWindow, to_front
@@ -55,7 +54,7 @@ def main() -> int:
 
     application = QApplication(sys.argv[:1])
     application.setApplicationName("labcal")
-    application.setFont(interface_font(application.font(), QFontDatabase.families()))
+    application.setFont(interface_font(application.font()))
     garbage = QTimer(application)
     garbage.timeout.connect(collect_if_due)
     garbage.start(GARBAGE_MS)

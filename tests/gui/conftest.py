@@ -8,12 +8,12 @@ from shutil import copytree
 from types import SimpleNamespace
 
 import pytest
+from deaf_windows import deaf_window_at, settings_in, take_apart
 from lab_states import runs_of
-from pyqtgraph import PlotWidget
 from PySide6.QtCore import QSettings, Qt
-from shiboken6 import delete, isValid
 
 from labcal.gui.ipc.messages import CloseLoop
+from labcal.gui.theming.font import interface_font
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.translations import sentences
 from labcal.gui.viewmodels import app_state
@@ -36,6 +36,12 @@ def answered_soon(monkeypatch):
     monkeypatch.setattr(prompt_card, "DEAD_MS", DEAD_MS)
     monkeypatch.setattr(next_button, "TOO_SOON_MS", 0)  # a test reads no words
     hold_button.heard_ms.clear()
+
+
+@pytest.fixture(scope="session", autouse=True)
+def letters(qapp):
+    """Those that labcal brings: what fits is the same on every computer."""
+    qapp.setFont(interface_font(qapp.font()))
 
 
 @pytest.fixture
@@ -73,50 +79,6 @@ def patience():
 @pytest.fixture
 def deaf(qapp):
     return DeafWorker
-
-
-def take_apart(window):
-    """Close a window and delete what Qt has of it, in Qt's order: the collector's, of plots, brings Qt down.
-
-    What lived on would be styled and translated with each window that comes after.
-    """
-    if isValid(window):
-        window.leave()
-        of_plots = [plot.getPlotItem() for plot in window.findChildren(PlotWidget)]
-        menus = [menu for item in of_plots for menu in (item.ctrlMenu, item.vb.menu) if menu is not None]
-        delete(window)
-        for menu in menus:  # nothing of the window holds them
-            delete(menu)
-
-
-def settings_in(folder):
-    settings = QSettings(str(folder / "window.ini"), QSettings.Format.IniFormat)
-    settings.setValue("pace", "at once")
-    settings.setValue("seed", 3)
-    return settings
-
-
-@contextmanager
-def deaf_window_at(home):
-    """A window whose workers are all deaf: no process is started."""
-    from labcal.gui.ipc.bench_commands import procedures
-    from labcal.gui.ipc.messages import ListProcedures
-    from labcal.gui.viewmodels import app_state
-    from labcal.gui.window import Window
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(app_state, "Client", DeafWorker)
-        window = Window(AppState(settings_in(home)), LIGHT)
-    window.show()
-    window.size_at_first = window.size()
-    window.open_page("Run")
-    window.page("Run")
-    window.procedures = procedures(None, ListProcedures())
-    window.app_state.quick_worker.answer(ListProcedures, window.procedures)
-    try:
-        yield window
-    finally:
-        take_apart(window)
 
 
 @pytest.fixture(scope="session")
@@ -217,7 +179,8 @@ def at_rest(window):
     for card in (window.fault, window.page("Run").live.fault):
         card.show_fault(None)
     for page in ("Fit", "Loop"):
-        window.page(page).fold.setChecked(False)
+        if window.lazy_pages[page].ready:
+            window.page(page).fold.setChecked(False)
     app_state.open_bench(str(BENCH))
     app_state.quick_worker.answer(ReadBench, read_bench(None, ReadBench(str(BENCH))))
     window.sidebar.setFocus()

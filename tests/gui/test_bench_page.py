@@ -250,8 +250,8 @@ def test_no_name_of_an_axis_of_the_cage_reaches_out_of_its_place_in_letters_of_a
 def test_who_answered_is_whole_where_the_table_is_rolled_anyway(still, bench, qtbot):
     """It was cut behind the bar, and nobody there sees a tip."""
     before, facts = still.size(), still.app_state.facts
-    still.resize(1024, 700)
-    named = "Thurlby Thandar PL303-P, 123450, 1.02-3.07"
+    still.resize(984, 660)
+    named = "Thurlby Thandar Instruments PL303-P, 123450, 1.02-3.07"
     said = (InstrumentAnswer(name, one.role, one.link, named) for name, one in facts.instruments.items())
     still.app_state.take_identified(Identified(tuple(said)))
     bench.show_readings()

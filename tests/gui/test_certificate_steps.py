@@ -308,6 +308,7 @@ def test_a_run_that_was_never_traced_says_so_above_its_approval(page, method, le
 def test_fields_and_buttons_of_a_row_stand_at_one_height_where_one_mark_has_no_room_beside_its_heading(page):
     page.window().resize(1024, 700)
     told(page, DRAFT, "a.smith", "j.doe")
+    page.steps.approval.mark.setText("● to do now, by somebody else")
     settle()
     cards = page.steps.key, page.steps.approval, page.steps.signature
     assert page.steps.approval.mark.y() > page.steps.approval.heading.y() + page.steps.approval.heading.height() // 2

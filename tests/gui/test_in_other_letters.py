@@ -1,10 +1,12 @@
 """A desktop that names its letters keeps them: where they are wider or higher than ours nothing is cut either."""
 
 from itertools import combinations
+from pathlib import Path
 
 import pytest
+from matplotlib import get_data_path
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QFontDatabase, QFontInfo
 from PySide6.QtWidgets import QApplication, QVBoxLayout
 from test_nothing_is_cut import TURNED, begun, doubted, other_language, settle
 
@@ -16,7 +18,7 @@ from labcal.gui.widgets.mounting_view import Mounting
 from labcal.gui.widgets.rolled import Rolled
 from labcal.gui.widgets.wanted_line import WantedLine
 
-WIDER = 112  # % of those here: as many lines more as those of Noto Sans are higher
+WIDE = "DejaVu Sans"  # a fifth wider than ours; Matplotlib brings it
 __all__ = ["other_language"]
 
 
@@ -24,7 +26,9 @@ __all__ = ["other_language"]
 def wider(qapp):
     before = qapp.font()
     letters = QFont(before)
-    letters.setStretch(WIDER)
+    QFontDatabase.addApplicationFont(str(Path(get_data_path()) / "fonts" / "ttf" / "DejaVuSans.ttf"))
+    letters.setFamily(WIDE)
+    assert QFontInfo(letters).family() == WIDE
     qapp.setFont(letters)
     yield
     qapp.setFont(before)

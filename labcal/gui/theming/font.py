@@ -1,13 +1,18 @@
-"""The letters of the window: the system's own, or where nobody chose any, the best of those that are there."""
+"""The letters of the window: those that somebody chose for the system's windows, else Source Sans, which labcal brings.
+
+A package holds it, so that a computer without a desktop and without a network has it too.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from importlib.resources import files
 
-from PySide6.QtGui import QFont
+from PySide6.QtCore import QByteArray
+from PySide6.QtGui import QFont, QFontDatabase
 
 NOBODY_CHOSE = ("", "Sans", "Sans Serif", "sans-serif")  # what Qt says on a system without a choice
-PREFERRED = ("Inter", "Inter Variable")  # lines of others (Noto Sans) are higher: less is in sight
+PACKAGE, FAMILY = "font_source_sans_pro", "Source Sans Pro"
+STYLES = ("Regular", "It", "Semibold", "Bold")
 
 
 def with_tabular_figures(font: QFont) -> QFont:
@@ -17,9 +22,18 @@ def with_tabular_figures(font: QFont) -> QFont:
     return tabular
 
 
-def interface_font(system: QFont, there: Collection[str]) -> QFont:
-    """The `system`'s font, or the first of `PREFERRED` that is `there`; with figures of one width."""
+def interface_font(system: QFont) -> QFont:
+    """The `system`'s font where somebody chose it, else Source Sans; with figures of one width."""
     font = with_tabular_figures(system)
-    if system.family() in NOBODY_CHOSE and (best := next((name for name in PREFERRED if name in there), "")):
-        font.setFamily(best)
+    if system.family() in NOBODY_CHOSE:
+        _register()
+        font.setFamily(FAMILY)  # signs that it lacks come from the system's fonts, letter by letter
     return font
+
+
+def _register() -> None:
+    """Make the package's files known to Qt, once."""
+    if not QFontDatabase.hasFamily(FAMILY):
+        for style in STYLES:
+            letters = (files(PACKAGE) / "files" / f"SourceSansPro-{style}.ttf").read_bytes()
+            QFontDatabase.addApplicationFontFromData(QByteArray(letters))

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
-
-ROUNDED_PX = 1  # that Qt gives a text of several lines beyond them
 
 
 class NotesRoom(QWidget):
@@ -29,10 +27,16 @@ class NotesRoom(QWidget):
 
     def fit(self, *, roomy: bool) -> None:
         """One has come, gone or grown; `roomy`: whether there is room to be kept at all."""
-        lines = [one.fontMetrics().lineSpacing() + ROUNDED_PX for one in self._notes]
+        lines = [_line_px(one) for one in self._notes]
         seen = [(one, line) for one, line in zip(self._notes, lines, strict=True) if not one.isHidden()]
         taken = sum(max(line, one.heightForWidth(one.width())) + self._apart_px for one, line in seen)
         high = max(0, sum(lines) + len(lines) * self._apart_px - taken) if roomy else 0
         if high != self._high:
             self._high = high
             self.updateGeometry()
+
+
+def _line_px(note: QLabel) -> int:
+    """How high one line of it is, as Qt lays it out: what its letters are high, rounded."""
+    room = QRect(0, 0, note.width(), 10_000)
+    return note.fontMetrics().boundingRect(room, int(Qt.TextFlag.TextWordWrap), "x").height()

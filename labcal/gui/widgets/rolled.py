@@ -81,7 +81,7 @@ class Rolled(QScrollArea):
     def _least(self, layout: QLayout, first: QWidget) -> int:
         """What of it is to be in sight without a bar, at this width."""
         most = MOST_LINES * first.fontMetrics().height()  # letters of another desktop may be higher
-        return min(most, max(LEAST_PX, self._end(layout, first, layout.geometry().width())))
+        return min(most, max(LEAST_PX, self._end(layout, first, self.viewport().width())))
 
     def _end(self, layout: QLayout, first: QWidget, width: int) -> int:
         """What stands above the end of the gravest words; 0 where they are not in sight."""
@@ -92,8 +92,9 @@ class Rolled(QScrollArea):
             widget = None if item is None else item.widget()
             if widget is None or widget.isHidden():
                 continue
-            own = widget.heightForWidth(width) if widget.hasHeightForWidth() else 0
-            high += max(own, widget.minimumSizeHint().height(), widget.minimumHeight()) + layout.spacing()
+            wrapped = widget.hasHeightForWidth()  # one that fits its letters to its place hints at those it has now
+            own = widget.heightForWidth(width) if wrapped else widget.minimumSizeHint().height()
+            high += max(own, widget.minimumHeight()) + layout.spacing()
             if widget is first:
                 return high
         return 0
