@@ -46,7 +46,7 @@ def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbo
         "no better than chance or a slow wander", "too little evidence"
     ]  # fmt: skip
     page.others.selectRow(0)
-    assert page.change_why.text().endswith(as_a_drop(reasons[2]))
+    qtbot.waitUntil(lambda: page.change_why.text().endswith(as_a_drop(reasons[2])), timeout=patience)
     assert "728.0 nats" in page.change_why.text()
 
 
