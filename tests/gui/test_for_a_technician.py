@@ -50,6 +50,20 @@ def test_nats_are_said_of_a_cause_that_is_chosen_and_not_in_the_list(still, qtbo
     assert "728.0 nats" in page.change_why.text()
 
 
+def test_a_cause_that_stays_chosen_has_the_reason_of_the_answer_that_is_shown(still, qtbot, patience):
+    worker, study, page = still.app_state.fit_worker, still.app_state.study_vm, still.page("Loop")
+    study.open("r1")
+    worker.answer(LookAt, looked_at("r1"))
+    told = told_by_the_loop("reverse")
+    for why in ("by the first answer", "by the second"):
+        study.close_loop()
+        accepted = tuple(replace(one, why=why) for one in told.accepted)
+        worker.answer(CloseLoop, replace(told, accepted=accepted, rejected=()))
+        qtbot.waitUntil(lambda: page.others.rowCount() > 0, timeout=patience)
+        page.others.selectRow(0)
+        qtbot.waitUntil(lambda why=why: page.change_why.text().endswith(why), timeout=5000)
+
+
 def test_a_cause_that_is_not_named_says_so_without_the_square_of_the_noise():
     step = SimpleNamespace(evidence=900.0, drop=26.0)
     assert plain_reason(why_rejected(step)) == "explains nothing beyond what is named already"

@@ -300,6 +300,7 @@ class LoopPage(QWidget):
         self.others.setVisible(listed)
         self.change_why.setVisible(listed)
         self.none_searched.setVisible(not listed)
+        self._name_change()  # what is chosen may be a cause of another answer now
 
     def picked(self) -> CauseRow | None:
         """What is chosen in the table; None for the loop's own verdict."""
