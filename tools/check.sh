@@ -32,7 +32,7 @@ fi
 "$BIN/ruff" check .
 "$BIN/ruff" format --check --quiet .
 "$BIN/lint-imports" --no-cache
-"$BIN/mypy"
+"$BIN/mypy" --num-workers 2
 
 # Three processes share the tests, whole files each, where there are two cores or more; `PROCESSES=1 make test`: one.
 # A process waits a quarter of its time for a line or a guardian: two would leave two cores idle.
