@@ -7991,10 +7991,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Unfinished run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Check the cage</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8080,26 +8076,6 @@ after this step …</source>
     </message>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} more on the History page.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a bench first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go on with {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8279,6 +8255,33 @@ after this step …</source>
     </message>
     <message>
         <source>Calibrations of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedRuns</name>
+    <message>
+        <source>▲ Unfinished run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -10356,6 +10359,22 @@ after this step …</source>
     </message>
     <message>
         <source>The bench that was open stays open: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begun on the bench {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (not simulated)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -7924,10 +7924,6 @@ diesem Schritt …</translation>
 <context>
     <name>StartPage</name>
     <message>
-        <source>▲ Unfinished run</source>
-        <translation>▲ Unvollendete Messung</translation>
-    </message>
-    <message>
         <source>Check the cage</source>
         <translation>Käfig prüfen</translation>
     </message>
@@ -8032,14 +8028,6 @@ diesem Schritt …</translation>
         <translation>✓ gültig</translation>
     </message>
     <message>
-        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
-    </message>
-    <message>
-        <source>Go on with {0}</source>
-        <translation>Weiter mit {0}</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
     </message>
@@ -8090,18 +8078,6 @@ diesem Schritt …</translation>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
-    </message>
-    <message>
-        <source>{0} more on the History page.</source>
-        <translation>{0} weitere auf der Seite Verlauf.</translation>
-    </message>
-    <message>
-        <source>Open a bench first.</source>
-        <translation>Zuerst einen Messplatz öffnen.</translation>
-    </message>
-    <message>
-        <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
     </message>
 </context>
 <context>
@@ -8281,6 +8257,33 @@ diesem Schritt …</translation>
     <message>
         <source>Calibrations of {0}</source>
         <translation>Kalibrierungen von {0}</translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedRuns</name>
+    <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Unvollendete Messung</translation>
+    </message>
+    <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation>{0} weitere auf der Seite Verlauf.</translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation>Zuerst einen Messplatz öffnen.</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
     </message>
 </context>
 <context>
@@ -10358,6 +10361,22 @@ diesem Schritt …</translation>
     <message>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Der Messplatz, der offen war, bleibt offen: {0}.</translation>
+    </message>
+    <message>
+        <source>Begun on the bench {0}.</source>
+        <translation>Begonnen am Messplatz {0}.</translation>
+    </message>
+    <message>
+        <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
+        <translation>▲ Begonnen am Messplatz {0}; offen ist {1}. Zuerst {0} öffnen: mit anderen Geräten geht sie nicht weiter.</translation>
+    </message>
+    <message>
+        <source>{0} (simulated)</source>
+        <translation>{0} (simuliert)</translation>
+    </message>
+    <message>
+        <source>{0} (not simulated)</source>
+        <translation>{0} (nicht simuliert)</translation>
     </message>
 </context>
 <context>

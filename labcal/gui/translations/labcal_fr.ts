@@ -7924,10 +7924,6 @@ cette étape …</translation>
 <context>
     <name>StartPage</name>
     <message>
-        <source>▲ Unfinished run</source>
-        <translation>▲ Mesure inachevée</translation>
-    </message>
-    <message>
         <source>Check the cage</source>
         <translation>Vérifier la cage</translation>
     </message>
@@ -8032,14 +8028,6 @@ cette étape …</translation>
         <translation>✓ à jour</translation>
     </message>
     <message>
-        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
-    </message>
-    <message>
-        <source>Go on with {0}</source>
-        <translation>Continuer {0}</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
     </message>
@@ -8090,18 +8078,6 @@ cette étape …</translation>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
-    </message>
-    <message>
-        <source>{0} more on the History page.</source>
-        <translation>{0} autres à la page Historique.</translation>
-    </message>
-    <message>
-        <source>Open a bench first.</source>
-        <translation>Ouvrez d&apos;abord un banc.</translation>
-    </message>
-    <message>
-        <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
     </message>
 </context>
 <context>
@@ -8281,6 +8257,33 @@ cette étape …</translation>
     <message>
         <source>Calibrations of {0}</source>
         <translation>Étalonnages de {0}</translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedRuns</name>
+    <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Mesure inachevée</translation>
+    </message>
+    <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation>{0} autres à la page Historique.</translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation>Ouvrez d&apos;abord un banc.</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
     </message>
 </context>
 <context>
@@ -10358,6 +10361,22 @@ cette étape …</translation>
     <message>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Le banc qui était ouvert le reste : {0}.</translation>
+    </message>
+    <message>
+        <source>Begun on the bench {0}.</source>
+        <translation>Commencée sur le banc {0}.</translation>
+    </message>
+    <message>
+        <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
+        <translation>▲ Commencée sur le banc {0} ; {1} est ouvert. Ouvrez d&apos;abord {0} : avec d&apos;autres instruments, elle ne continue pas.</translation>
+    </message>
+    <message>
+        <source>{0} (simulated)</source>
+        <translation>{0} (simulé)</translation>
+    </message>
+    <message>
+        <source>{0} (not simulated)</source>
+        <translation>{0} (non simulé)</translation>
     </message>
 </context>
 <context>
