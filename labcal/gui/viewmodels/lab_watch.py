@@ -140,7 +140,7 @@ class LabWatch(QObject):
         if for_a_person:
             self._lab.update(message=self._words(said))
         self.was_read.emit()
-        self.round.took(asked.names, took_s, answered=not any(one.fault for one in said))
+        self.round.took(asked.names, took_s, silent=[one.name for one in said if one.fault])
         if for_a_person and took_s > LOOK_S:  # somebody was slow: what the others said is that old by now
             self.look()
         self._go_on()
