@@ -20,7 +20,7 @@ TEXTS = (
 
 def in_common(silent: Collection[str], links: Mapping[str, str]) -> str:
     """What to look at first where several are silent; "" where they have nothing in common. `links` by instrument."""
-    real = {name: _place(link) for name, link in links.items() if not link.startswith(("emulated://", "manual://"))}
+    real = {name: place_of(link) for name, link in links.items() if not link.startswith(("emulated://", "manual://"))}
     if len(real) > 1 and set(real) <= set(silent):
         hosts = {_host(place) for place in real.values()}
         return _all(len(real)) if len(hosts) > 1 else _at(hosts.pop(), len(real))
@@ -45,7 +45,7 @@ def _groups(places: Mapping[str, str], *, host: bool) -> Iterator[tuple[str, set
         yield where, {name for name, one in places.items() if where == (_host(one) if host else one)}
 
 
-def _place(link: str) -> str:
+def place_of(link: str) -> str:
     """The device, or host and port."""
     return link.partition("://")[2].partition("?")[0].removeprefix("socket://")
 

@@ -1,6 +1,7 @@
 """The lab is looked at on while no run goes on, until the coils are read back at zero and everybody answers.
 
-Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once. Where nobody has been
+Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once; while that is not
+answered, the reference is read beside it. Where nobody has been
 at the window for `ALONE_S` and hands may go in, nobody reads on: supplies are not asked all night for nobody.
 """
 
@@ -45,6 +46,7 @@ class LabWatch(QObject):
     ) -> None:
         super().__init__()
         self._worker, self._lab, self._bench, self._wrong, self._take = worker, lab, bench, wrong, take
+        self.beside_off: Callable[[], ReadLab | None] = lambda: None  # what is read while COILS OFF is not answered
         self._touched_s = time.monotonic()
         self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
         self.round = WatchRound(lambda name: name in coils())
@@ -65,6 +67,8 @@ class LabWatch(QObject):
         if not self.alone_since and self._bench() and (names := self._wrong()):
             self.round.begin(names, time.monotonic())
             self._go_on()
+        if self._asked is None and (beside := self.beside_off()) is not None:
+            self._ask(beside)
 
     def prepare(self, bench: str) -> None:
         """A run goes on, on this bench ("": none does): whoever looks after it has nothing to load first."""
@@ -112,7 +116,7 @@ class LabWatch(QObject):
 
     def read_again(self, names: Sequence[str]) -> None:
         """These now, and not only those that are wrong, where nobody else has the lab: coils first, by themselves."""
-        if self._asked is None and self._bench() and names:
+        if self._bench() and names:
             self.round.begin(names, time.monotonic(), at_once=True)
             self._go_on()
 
@@ -133,7 +137,8 @@ class LabWatch(QObject):
             return
         for_a_person, took_s = not asked.names, time.monotonic() - self._asked_s
         self._over()
-        if asked.bench != self._bench():
+        beside = self.beside_off()
+        if asked.bench not in (self._bench(), "" if beside is None else beside.bench):
             return
         self._kept = (self._kept - {one.name for one in said}) | {one.name for one in said if one.held and one.until}
         self._take(said)
