@@ -6507,6 +6507,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>still at work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9742,11 +9746,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>only in a run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0} instruments</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10015,6 +10027,10 @@ after this step …</source>
     </message>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

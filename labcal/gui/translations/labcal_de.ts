@@ -6507,6 +6507,10 @@
         <translation>beim Wächter der letzten Sitzung</translation>
     </message>
     <message>
+        <source>still at work</source>
+        <translation>noch an der Arbeit</translation>
+    </message>
+    <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation>Eine Messung läuft und liest die Geräte selbst; der Prüfling wird in ihrem nächsten Schritt wieder gelesen.</translation>
     </message>
@@ -9743,12 +9747,20 @@ diesem Schritt …</translation>
         <translation>Wächter</translation>
     </message>
     <message>
+        <source>only in a run</source>
+        <translation>nur während einer Messung</translation>
+    </message>
+    <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation>Der Wächter ist ein eigenes Programm neben labcal: Er hält die Leitungen der Netzgeräte und bringt jede Spule auf null, wenn eine Sitzung endet, abbricht oder nicht mehr antwortet.</translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
         <translation>✕ Keine Antwort von {0}</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0} instruments</source>
+        <translation>✕ Keine Antwort von {0} Geräten</translation>
     </message>
     <message>
         <source>Here that is “{0}”.</source>
@@ -10017,6 +10029,10 @@ diesem Schritt …</translation>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
         <translation>Keine Antwort von allen {0} Geräten: Ist der Strom des Schranks aus, oder Adapter oder Netz weg?</translation>
+    </message>
+    <message>
+        <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
+        <translation>Keine Antwort von {0} Geräten, darunter alle {1} an {2}: zuerst nach dieser gemeinsamen Leitung sehen.</translation>
     </message>
     <message>
         <source>{0}: answers again</source>

@@ -6507,6 +6507,10 @@
         <translation>tenu par le gardien de la dernière session</translation>
     </message>
     <message>
+        <source>still at work</source>
+        <translation>encore au travail</translation>
+    </message>
+    <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation>Une mesure est en cours et lit elle-même les appareils ; le DUT est relu à son étape suivante.</translation>
     </message>
@@ -9743,12 +9747,20 @@ cette étape …</translation>
         <translation>gardien</translation>
     </message>
     <message>
+        <source>only in a run</source>
+        <translation>seulement pendant une mesure</translation>
+    </message>
+    <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation>Le gardien est un programme à part, à côté de labcal : il tient les lignes des alimentations et ramène chaque bobine à zéro quand une session se termine, s’interrompt ou ne répond plus.</translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
         <translation>✕ Pas de réponse de {0}</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0} instruments</source>
+        <translation>✕ Pas de réponse de {0} appareils</translation>
     </message>
     <message>
         <source>Here that is “{0}”.</source>
@@ -10017,6 +10029,10 @@ cette étape …</translation>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
         <translation>Pas de réponse des {0} instruments : la baie est-elle hors tension, ou l’adaptateur ou le réseau absent ?</translation>
+    </message>
+    <message>
+        <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
+        <translation>Pas de réponse de {0} appareils, dont les {1} à {2} : voyez d&apos;abord cette ligne commune.</translation>
     </message>
     <message>
         <source>{0}: answers again</source>
@@ -10368,7 +10384,7 @@ cette étape …</translation>
     </message>
     <message>
         <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
-        <translation>▲ Commencée sur le banc {0} ; {1} est ouvert. Ouvrez d&apos;abord {0} : avec d&apos;autres instruments, elle ne continue pas.</translation>
+        <translation>▲ Commencée sur le banc {0} ; {1} est ouvert. Ouvrez d&apos;abord {0} : avec d&apos;autres appareils, elle ne continue pas.</translation>
     </message>
     <message>
         <source>{0} (simulated)</source>

@@ -14,6 +14,7 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
+from labcal.gui.viewmodels.guardian import with_guardian
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S, LabNow, lab_now, platform_mark
 from labcal.gui.viewmodels.last_current import LastCurrents
@@ -137,6 +138,7 @@ class KnownLab:
         by_s = self._patience_s(known, now_s, by_s, driven=driven)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts), heard_at_s=self._heard.at_s(supplies(facts)))
+        now = replace(now, lights=with_guardian(now.lights, facts))
         if not driven and facts is not None and facts.virtual_time:
             now = _not_read_on(now)
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:

@@ -17,6 +17,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.lab_messages import InstrumentRead, PrepareToRead, ReadLab
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.guardian import GUARDIAN
 from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
@@ -96,10 +97,10 @@ class LabWatch(QObject):
     def seen_in(self, now: LabNow) -> LabNow:
         """The lab, with since when nobody reads it, and whose lines a guardian has kept."""
         if self._kept and not now.driven:
-            words = self.tr("the guardian of the last session has it")
+            of = dict.fromkeys(self._kept, self.tr("the guardian of the last session has it"))
+            of[GUARDIAN] = self.tr("still at work")
             lights = (
-                (name, light, words if light == "absent" and name in self._kept else said)
-                for name, light, said in now.lights
+                (name, light, of.get(name, said) if light == "absent" else said) for name, light, said in now.lights
             )
             now = replace(now, lights=tuple(lights))
         return replace(now, unread_since=self.alone_since) if self.alone_since else now
