@@ -1,9 +1,9 @@
 """In which order the lab is read at rest: the coils every second, everybody else one by one between them. No widgets.
 
 Who is slow, or silent, so keeps nobody waiting but for one answer: the coils tell whether hands may be there. A supply
-that is silent is asked like everybody else, by itself and between two looks at the other coils, until it answers: how
-those are is known as soon as ever. Where a look at the coils takes longer than to the next one, the others have as long
-after it.
+that is silent is asked like everybody else until it answers, by itself, and just after a look at the other coils: what
+was read of those is not old before the next one. Where a look at the coils takes longer than to the next one, the
+others have as long after it.
 """
 
 from __future__ import annotations
@@ -31,6 +31,7 @@ class WatchRound:
         self._left_s = 0.0  # which the others have before the coils are looked at again
         self._took_s = deque[float](maxlen=LAST)
         self._silent = set[str]()  # supplies of coils
+        self._looks = self._just_looked = False  # at coils that answer: then is the time for one that does not
         self._others_s: dict[str, float] = {}  # what the last look at each of them took: coils wait for one of these
 
     @property
@@ -54,16 +55,20 @@ class WatchRound:
         waits = [due for due in self._due if due[0] in names and not self._in_looks(due[0])]
         rested = [(name,) for name in names if not self._in_looks(name)
                   and (at_once or now_s - self._read_s.get(name, -LOOK_S) > LOOK_S - COILS_S / 2)]  # fmt: skip
-        self._due = [coils, *waits] if coils else waits
+        self._due, self._looks = [coils, *waits] if coils else waits, bool(coils)
         self._due += [due for due in rested if due not in waits]
 
     def next(self, now_s: float) -> Names:
         """Who is to be asked now, in one question; none where this round is over."""
         if not self._due:
             return ()
-        others = [due for due in self._due if not self._in_looks(due[0])]
-        names = others[0] if others and self._left_s > 0 else self._due[0]
+        may = [due for due in self._due if due[0] not in self._silent or self._just_looked or not self._looks]
+        others = [due for due in may if not self._in_looks(due[0])]
+        if not may:
+            return ()
+        names = others[0] if others and self._left_s > 0 else may[0]
         self._due.remove(names)
+        self._just_looked = self._in_looks(names[0])
         self._read_s |= {name: now_s for name in names if not self._in_looks(name)}
         return names
 
