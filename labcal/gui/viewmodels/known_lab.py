@@ -14,12 +14,12 @@ from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
 from labcal.gui.viewmodels.field_witness import Off, SaidLast, more_than_off, off_as_measured
-from labcal.gui.viewmodels.guardian import with_guardian
 from labcal.gui.viewmodels.in_common import in_common
 from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S, LabNow, lab_now, platform_mark
 from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.last_heard import LastHeard
 from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
+from labcal.gui.viewmodels.who_is_there import with_guardian
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
