@@ -25,6 +25,7 @@ def currents_or_away(cage: Cage, look: RestPoll, now_s: float, *, waited_for: bo
         except InstrumentError as fault:
             if not waited_for or fault.fault not in AWAY:
                 raise
+            look.gone(_failed(cage), fault, now_s)  # which is not waited for once more
     for axis, supply in cage.supplies.items():
         if look.wrong(supply.name):
             continue
@@ -35,6 +36,11 @@ def currents_or_away(cage: Cage, look: RestPoll, now_s: float, *, waited_for: bo
                 raise
             look.gone(supply.name, fault, now_s)
     return None
+
+
+def _failed(cage: Cage) -> str:
+    """The supply of the coil that was just not read."""
+    return next(cage.supplies[coil.axis].name for coil in cage.coils() if coil.fault)
 
 
 def zero_anew(cage: Cage, name: str) -> None:

@@ -12,7 +12,7 @@ from labcal.bench.coils.state import ON
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
-from labcal.gui.viewmodels.guardian import guardian_is
+from labcal.gui.viewmodels.guardian import GUARDIAN, guardian_is
 from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import (
@@ -339,7 +339,7 @@ class SidePanel(Surface):
             words = words or (translated(plain) if aged else "")
             if light != "fault" and name in others:
                 shape, colour, words, aged = "▲", "warning", others[name], False
-            alone = not of_all and light != "ok"
+            alone = (not of_all or name == GUARDIAN) and light != "ok"
             row.show_light(shape, colour, shown_name(name), words, aged=aged, alone=alone, back=back.get(name, ""))
             row.name.setToolTip(guardian_is(name))
             row.show()
@@ -365,7 +365,7 @@ class SidePanel(Surface):
 
     def _of_all(self, state: LabState) -> str:
         """What holds for every instrument is said once, above them."""
-        lights = {(light, words) for _, light, words in state.now.lights}
+        lights = {(light, words) for name, light, words in state.now.lights if name != GUARDIAN}
         if len(lights) != 1 or state.other_serials:
             return ""
         ((light, words),) = lights

@@ -1,7 +1,7 @@
-"""A person is awaited on a bench whose clock stands meanwhile: what is shown is read anew, or grows old.
+"""A person is awaited on a bench whose time is simulated: what is shown is read anew, as in a lab whose time passes.
 
-No stream sends while time stands: reference and DUT have the age that the clock on the wall gives them, wherever that
-is said.
+No stream sends while time stands. Whoever thinks for longer has a little of it pass again and again; between that
+reference and DUT have the age that the clock on the wall gives them, wherever it is said.
 """
 
 from __future__ import annotations
@@ -42,13 +42,15 @@ class Awaited:
         return replace(state, field=field, reference=reference, instruments=tuple(heard))
 
     def lets_pass(self) -> bool:
-        """Whether a little of the bench's time is to pass after all: the field was not seen since a ramp, or a zero."""
-        thinks = time.monotonic() - self._since_s >= AGAIN_S  # who answers at once waits for nothing
+        """Whether a little of the bench's time is to pass: what streams would grow old; and on, as long as the field
+        was not seen since a ramp, or a zero.
+        """
+        if time.monotonic() - self._since_s < AGAIN_S:  # who answers at once waits for nothing
+            return False
         cage, now = self._bench.cage, self._bench.clock.now()
         unseen = now <= cage.settled_s + SETTLED_S and self._bench.state().field.seen_nT is None
-        if not thinks or not (unseen or now <= cage.check.looks_until_s):
-            return False
-        self._since_s = time.monotonic() - AGAIN_S  # what comes now is of now
+        goes_on = unseen or now <= cage.check.looks_until_s
+        self._since_s = time.monotonic() - AGAIN_S * goes_on  # what comes now is of now
         return True
 
     def _read_again(self) -> None:

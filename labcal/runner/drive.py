@@ -208,7 +208,7 @@ class Drive:
         self._keep(self._event("pause", "goes on"))
 
     def _listen_while(self, awaited: Callable[[], bool], wait: Callable[[float], object]) -> None:
-        """Streams are written down and shown; where the bench's clock stands, what can be read is read anew."""
+        """Streams are written down and shown; of simulated time a little passes now and then, so that they send."""
         stands = Awaited(self.bench) if isinstance(self.bench.clock, VirtualClock) else None
         while awaited():
             self._check()

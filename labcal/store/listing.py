@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from contextlib import closing
+from contextlib import closing, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,9 @@ HEAD = "CASE WHEN json_valid(header) THEN json_extract(header, {}) END".format(
     ", ".join(f"'$.{key}'" for key in ("started_utc", "dut.serial", "simulated", "operator", "procedure"))
 )  # of a header, what a list shows: a bench file and more stand in it too
 LAST_STATUS = "(SELECT status FROM status WHERE status.run = run.number ORDER BY status.rowid DESC LIMIT 1)"
+BEGUN_ON = f"""CASE WHEN json_valid(header) AND {LAST_STATUS} IN ('running', 'interrupted')
+THEN json_extract(header, '$.bench', '$.instruments') END"""  # of those that may be gone on with alone: it is long
+IDENTITY = ("manufacturer", "model", "serial", "firmware")
 
 BY_A_PERSON = f"""(SELECT (kind = 'event') * ((content LIKE '%"{STOPPED_BY}"%') + (content LIKE '%"{BY_ABORT}"%'))
 FROM item WHERE item.run = run.number ORDER BY item.number DESC LIMIT 1)"""  # by its last word; 2 where by COILS OFF
@@ -34,6 +37,8 @@ class RunSummary:
     """One line about a run, for a list. `status`: running, finished, stopped, failed: …, interrupted, imported.
 
     `stopped`: a person ended it, whether or not it can be gone on with; `by_off`: by COILS OFF in the window.
+    `bench`: of one that was interrupted, the name of the bench it was begun on; `instruments`: who answered there then,
+    each by its name and as it said who it is.
     """
 
     run_id: str
@@ -45,6 +50,8 @@ class RunSummary:
     simulated: bool
     stopped: bool = False
     by_off: bool = False
+    bench: str = ""
+    instruments: tuple[tuple[str, str], ...] = ()
 
 
 def list_runs(path: Path | None = None) -> list[RunSummary]:
@@ -59,7 +66,8 @@ def summaries(connection: Connection, path: Path, number: int | None = None) -> 
     chosen = "" if number is None else f" WHERE number = {number:d}"
     with named_faults(path):
         rows = connection.execute(
-            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION}, {BY_A_PERSON} FROM run{chosen} ORDER BY number"
+            f"SELECT run_id, {HEAD}, {LAST_STATUS}, {LAST_CORRECTION}, {BY_A_PERSON}, {BEGUN_ON} "
+            f"FROM run{chosen} ORDER BY number"
         ).fetchall()
     heads = json.loads(f"[{','.join(head or 'null' for _, head, *_ in rows)}]")  # read at once: there may be many
     return [_summary(path, row[0], head, *row[2:]) for row, head in zip(rows, heads, strict=True)]
@@ -82,20 +90,41 @@ def corrected(event: str | None) -> str:
     return str(json.loads(event)["data"]["to"]) if event else ""
 
 
+def _begun_on(text: str | None) -> tuple[str, tuple[tuple[str, str], ...]]:
+    """The name of the bench, and its instruments as they said who they are; nothing of one that does not say it."""
+    import tomllib  # for the few that were interrupted
+
+    bench, instruments = json.loads(text) if text else ("", ())
+    with suppress(tomllib.TOMLDecodeError):
+        name = tomllib.loads(bench or "").get("name", "")
+        return str(name), tuple((one["name"], " ".join(filter(None, map(one.get, IDENTITY)))) for one in instruments)
+    return "", ()
+
+
 def _summary(
-    path: Path, run_id: str, head: list[Any] | None, status: str, correction: str | None, by_person: int | None
+    path: Path,
+    run_id: str,
+    head: list[Any] | None,
+    status: str,
+    correction: str | None,
+    by_person: int | None,
+    begun_on: str | None,
 ) -> RunSummary:
     started_utc, serial, simulated, operator, procedure = head or [None] * 5
     if started_utc is None or serial is None or simulated is None:
         raise InputError(f"the store is damaged: the header of run {run_id!r}", file=path)
+    stands = true_status(path, run_id, status)
+    bench, instruments = _begun_on(begun_on if stands == "interrupted" else None)
     return RunSummary(
         run_id=run_id,
         started_utc=started_utc,
-        status=true_status(path, run_id, status),
+        status=stands,
         dut_serial=corrected(correction) or serial,
         operator=operator or "",
         procedure=procedure or "",
         simulated=simulated,
         stopped=(stopped := ended_word(status, stopped=bool(by_person)) == STOPPED),
         by_off=stopped and (by_person or 0) > 1,
+        bench=bench,
+        instruments=instruments,
     )

@@ -239,6 +239,25 @@ def test_what_is_gone_is_asked_until_it_answers_and_no_longer() -> None:
     assert [event.text for event in look.news()] == ["stage: the link was lost.", "stage: it answers again"]
 
 
+def test_of_several_that_are_gone_one_is_waited_for_at_a_look_and_each_in_its_turn() -> None:
+    """Three plugs out: who answers was read once every 4.5 s."""
+    asked = list[str]()
+
+    def ask(name: str) -> None:
+        asked.append(name)
+        if name != "contacts":
+            raise InstrumentError(f"{name}: no reply.", fault="silent")
+
+    look = RestPoll(["contacts"], ask)
+    for name in ("x", "y", "z"):
+        look.gone(name, InstrumentError(f"{name}: no reply.", fault="silent"), 0.0)
+    for t in (0.0, 1.0, 2.0, 3.0):
+        asked.append(f"at {t:.0f}")
+        look.at(t)
+    looks = " ".join(asked).split("at ")[1:]
+    assert [one.split()[1:] for one in looks] == [["contacts", name] for name in ("x", "y", "z", "x")]
+
+
 def test_nothing_is_missed_while_it_is_waited_for_and_patience_begins_anew() -> None:
     watch, hot = StreamWatch("dut", 3.0, 60.0, 0.0), TemperatureLimit((-20.0, 60.0), ("temp",), "", 0.0)
     for t in np.arange(0.0, 100.0, 0.5).tolist():

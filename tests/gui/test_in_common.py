@@ -31,7 +31,7 @@ LINKS = {
         ),
         (
             ("supply_x", "supply_z", "reversers"),
-            "No answer from all 2 instruments at /dev/ttyUSB1: look at their common line, not at each plug.",
+            "No answer from 3 instruments, all 2 at /dev/ttyUSB1 among them: look at that common line first.",
         ),
         (
             ("supply_x", "supply_y", "supply_z", "reversers", "dut"),

@@ -72,7 +72,8 @@ def stored(window, *runs):
 
 
 def interrupted(window):
-    stored(window, *(replace(RUN, run_id=f"r{n}", dut_serial=f"EM-{n}", status="interrupted") for n in range(5)))
+    one = replace(RUN, status="interrupted", bench="Helmholtz cage of the magnetics laboratory, hall 2")
+    stored(window, *(replace(one, run_id=f"r{n}", dut_serial=f"EM-{n}") for n in range(5)))
     return "Start"
 
 

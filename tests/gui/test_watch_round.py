@@ -9,7 +9,7 @@ import pytest
 from test_hands_in_the_cage import lab, stands
 from test_hands_in_the_cage import real as real
 
-from labcal.bench.coils.state import Witness
+from labcal.bench.coils.state import FRESH_S, Witness
 from labcal.gui.ipc.lab_messages import InstrumentRead, ReadLab
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels import lab_watch
@@ -24,8 +24,8 @@ def is_coil(name):
     return name.startswith("supply")
 
 
-def rounds(names, seconds, took):
-    """(who, when) of looks begun every second, each of which takes `took` [s] by name."""
+def rounds(names, seconds, took, silent=()):
+    """(who, when) of looks begun every second, each of which takes `took` [s] by name; `silent` from the first on."""
     looks, asked, now_s, tick_s = WatchRound(is_coil), [], 0.0, 0.0
     while now_s < seconds:
         if now_s >= tick_s:
@@ -33,7 +33,9 @@ def rounds(names, seconds, took):
             tick_s = now_s + COILS_S
         if who := looks.next(now_s):
             asked.append((who, now_s))
-            now_s += sum(took.get(name, 0.05) for name in who)
+            seconds_s = sum(took.get(name, 0.05) for name in who)
+            now_s += seconds_s
+            looks.took(who, seconds_s, silent=[name for name in who if name in silent])
         else:
             now_s = tick_s
     return asked
@@ -52,6 +54,34 @@ def test_the_coils_wait_for_one_answer_at_most(took):
         assert min(b - a for a, b in pairwise(times)) > COILS_S, "the coils alone are asked so often"
 
 
+@pytest.mark.parametrize("silent", [COILS[1:2], COILS[1:]], ids=["one", "two"])
+def test_supplies_that_answer_are_read_as_often_however_long_a_silent_one_is_waited_for(silent):
+    """Where one was out the readings of the others were grey: each look waited for it."""
+    names, waits_s = ("dut", *COILS, "reference", "stage"), 1.5  # as the drivers of most supplies do
+    took = {"reference": 0.6, "dut": 0.3} | dict.fromkeys(silent, waits_s)
+    asked = rounds(names, 60.0, took, silent)
+    healthy = tuple(name for name in COILS if name not in silent)
+    looks = [(at_s, at_s + 0.05 * len(who)) for who, at_s in asked if who == healthy]
+    assert len(looks) >= 30
+    oldest_s = max(read_s - before_s for (before_s, _), (_, read_s) in pairwise(looks))
+    assert oldest_s < FRESH_S
+    for name in (*silent, "dut", "reference", "stage"):
+        times = [at_s for who, at_s in asked[1:] if who == (name,)]
+        assert max(b - a for a, b in pairwise(times)) <= 12.0, "nobody is forgotten"
+
+
+def test_a_supply_that_answers_again_is_looked_at_with_the_others_and_alarms_as_soon_as_before():
+    looks = WatchRound(is_coil)
+    looks.took(COILS, 0.1)
+    by_s = looks.by_s
+    looks.took(COILS, 1.6, silent=COILS[1:2])
+    looks.took(COILS[1:2], 1.5, silent=COILS[1:2])
+    looks.took(COILS[1:2], 0.1)
+    looks.begin(COILS, 10.0)
+    assert looks.next(10.0) == COILS
+    assert looks.by_s == by_s
+
+
 def test_who_is_read_by_somebody_else_is_not_asked_on():
     looks = WatchRound(is_coil)
     looks.begin((*COILS, "reference"), 0.0)
@@ -67,7 +97,7 @@ def test_a_silent_supply_is_missed_in_time_and_a_late_answer_is_not(usual_s):
     assert COILS_S + usual_s + 1.0 < looks.by_s <= WANTED_S  # a second late
     looks.took(("reference",), 0.6)
     assert looks.by_s <= WANTED_S
-    looks.took(("dut",), 1.5, answered=False)  # the coils wait for that one question, and are not missed by it
+    looks.took(("dut",), 1.5, silent=("dut",))  # the coils wait for that one question, and are not missed by it
     assert COILS_S + 1.5 + usual_s <= looks.by_s <= WATCHED_S
     looks.took(("dut",), 0.1)
     assert looks.by_s <= WANTED_S
@@ -86,7 +116,7 @@ def test_how_long_a_silent_supply_is_waited_for_makes_it_no_slow_one():
     looks = WatchRound(is_coil)
     looks.took(COILS, 0.1)
     for _ in range(3):
-        looks.took(COILS, 1.5, answered=False)
+        looks.took(COILS, 1.5, silent=COILS[1:2])
     assert looks.by_s <= WANTED_S
 
 
@@ -192,10 +222,10 @@ def test_beside_silent_supplies_the_others_are_read_on(silent, at_most_s):
         if who := looks.next(now_s):
             took_s = sum(1.5 if name in silent else 0.05 for name in who)
             now_s += took_s
-            looks.took(who, took_s, answered=not set(who) & set(silent))
-            read.setdefault(who, []).append(now_s)
+            looks.took(who, took_s, silent=[name for name in who if name in silent])
+            for name in who:
+                read.setdefault(name, []).append(now_s)
         else:
             now_s = tick_s
-    for name in ("dut", "reference", "stage"):
-        assert max(b - a for a, b in pairwise([0.0, *read[(name,)], 60.0])) <= at_most_s
-    assert max(b - a for a, b in pairwise(read[COILS])) <= at_most_s
+    for name in names:
+        assert max(b - a for a, b in pairwise([0.0, *read[name], 60.0])) <= at_most_s

@@ -1,4 +1,4 @@
-"""While a person thinks on a bench whose clock stands, nothing is shown as of now that nobody reads."""
+"""While a person thinks on a bench whose time is simulated, it is read on; nothing is shown as of now that is not."""
 
 from __future__ import annotations
 
@@ -21,13 +21,14 @@ from labcal.runner.prompts import first_choice
 from labcal.store import Store
 
 TURN = {"zero_s": "8", "rate_deg_per_s": "20"}
-THINKS_S = 0.8
+THINKS_S, AGAIN_S = 1.6, 0.2
 
 
-def test_coils_are_read_anew_and_the_field_shows_its_age(
+def test_whoever_thinks_for_long_sees_the_lab_as_it_is_read_meanwhile(
     bench_file: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(awaited, "AGAIN_S", 0.1)
+    """Reference and DUT grew old at each question, and what lets hands in went from green to amber with them."""
+    monkeypatch.setattr(awaited, "AGAIN_S", AGAIN_S)
     monkeypatch.setattr(drive, "LISTEN_S", 0.05)
     asked, old_s, coil_A = list[Prompt](), list[tuple[float, ...]](), set[float | None]()
     clock = VirtualClock(datetime(2026, 11, 21, tzinfo=UTC))
@@ -51,7 +52,10 @@ def test_coils_are_read_anew_and_the_field_shows_its_age(
         run_procedure(lab, find("rotate-axis"), TURN, store=store, answer=answer, show=shown)
     assert 0.00042 in coil_A
     assert len(old_s[-1]) == 3, old_s[-1]
-    assert min(map(max, zip(*old_s, strict=True))) > THINKS_S / 2, "the field and who streams"
+    for what in zip(*[one for one in old_s if len(one) == 3], strict=True):
+        assert max(what) > AGAIN_S / 2, "between two looks it grows old"
+        assert sorted(what)[len(what) // 2] < THINKS_S / 2, "it is looked at again"
+        assert what[-1] < THINKS_S / 2
 
 
 def test_a_field_of_the_ramp_is_not_shown_beside_coils_at_zero(

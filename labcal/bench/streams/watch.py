@@ -148,7 +148,8 @@ class StreamWatch:
 class RestPoll:
     """Asks what is not heard otherwise, and what is `gone`, whether it answers; what has gone, or is back, is reported.
 
-    `ask` raises InstrumentError where it does not answer.
+    `ask` raises InstrumentError where it does not answer. That takes long: of several that are gone one is asked at a
+    look, so that those which answer are read between two of them.
     """
 
     def __init__(self, names: Sequence[str], ask: Callable[[str], None]) -> None:
@@ -161,7 +162,7 @@ class RestPoll:
         if now_s < self._next_s:
             return
         self._next_s = now_s + LOOK_S
-        for name in dict.fromkeys((*self._names, *self._wrong)):
+        for name in (*(name for name in self._names if name not in self._wrong), *list(self._wrong)[:1]):
             self._look(name, now_s)
 
     def wrong(self, name: str) -> str:
@@ -177,6 +178,7 @@ class RestPoll:
         """It does not answer."""
         if name not in self._wrong:
             self._pending.append(Event(now_s, "stream", f"{name}: {fault.what}", {"fault": fault.fault}))
+        self._wrong.pop(name, None)  # it is asked again after the others
         self._wrong[name] = fault.fault
 
     def heard(self, name: str, now_s: float) -> None:

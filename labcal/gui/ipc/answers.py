@@ -301,6 +301,8 @@ class RunLine:
     left_nT: tuple[float, float, float] | None = None  # by its loop: before, after, and noise alone
     stopped: bool = False  # by a person
     by_off: bool = False  # and that by COILS OFF
+    bench: str = ""  # of an interrupted one: the name of that which it was begun on
+    instruments: tuple[tuple[str, str], ...] = ()  # who answered there then: name, and as it said who it is
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ SPEEDS = {"true": 1.0, "20 times": 20.0, "100 times": 100.0, "at once": 0.0}
 
 
 class SimulatedClock(VirtualClock):
-    """Virtual time that passes `speed` times as fast as true time; it stands still while a person is asked."""
+    """Virtual time that passes `speed` times as fast as true time; while a person is asked it all but stands still."""
 
     listen_s = 0.2
 

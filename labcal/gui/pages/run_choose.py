@@ -19,6 +19,7 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import procedure_title, translated
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.begun_on import begun_on
 from labcal.gui.viewmodels.bench_of_run import limits_of
 from labcal.gui.viewmodels.path import Wanted
 from labcal.gui.viewmodels.plan_words import needs_text, plan_line
@@ -154,7 +155,9 @@ class Choose(QWidget):
         set_primary(self.start, calm and not resumes)
         set_primary(self.go_on, calm and resumes)
         if broken is not None:
-            self.which.setText(run_title(broken))
+            other = app_state.path.another_bench(broken)
+            self.which.setText("\n".join(filter(None, (run_title(broken), other or begun_on(broken)))))
+            set_state(self.which, "warning" if other else "")
             self.go_on.setText(self.tr("Go on with {0}").format(broken.dut_serial))
 
     def _go_on(self) -> None:

@@ -272,13 +272,13 @@ class Live(QWidget):
 
     def show_verdict(self) -> None:
         """What the run came to, as far as it has ended."""
-        run = self._run
+        run, path = self._run, self._app_state.path
         if run.state != "ended":
             return self.verdict.word.set_text("")  # of the run before
-        how = run_verdict(run, self._app_state.path.resumable, mended=bool(self._answer_again()))
+        other = path.begun_elsewhere(run.run_id)
+        how = run_verdict(run, path.resumable, mended=bool(self._answer_again()), elsewhere=other)
         self.verdict.show_verdict(run.order.dut if run.order else "", how)
-        now = self._app_state.lab.state.now
-        words, state = off_headline(now) if run.by_off else ("", "")
+        words, state = off_headline(self._app_state.lab.state.now) if run.by_off else ("", "")
         return self.verdict.say_off(words, state) if words else None
 
     def _show_details(self) -> None:

@@ -6,7 +6,7 @@ import re
 from datetime import UTC, date, datetime
 
 from PySide6.QtCore import QDate, QLocale, Qt, QTimer
-from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from labcal.gui.ipc.answers import Cage, CalibrationFile, Checked, RunLine
 from labcal.gui.ipc.messages import LastCageCheck, LastClosingCheck, ListCalibrations, ListRuns
@@ -21,22 +21,21 @@ from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.viewmodels.resumed import to_be_resumed
 from labcal.gui.viewmodels.run_count import count_words
 from labcal.gui.viewmodels.run_results import AT_ONCE, RunResults
-from labcal.gui.viewmodels.run_search import cells, local_time
+from labcal.gui.viewmodels.run_search import cells
 from labcal.gui.viewmodels.signing import doubtful
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
 from labcal.gui.viewmodels.what_happens import in_shape
 from labcal.gui.widgets.bench_chooser import choose_bench
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
 from labcal.gui.widgets.fact_grid import FactGrid
-from labcal.gui.widgets.flow import Flow
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.laboratory import Logo
 from labcal.gui.widgets.measurement_table import Table
 from labcal.gui.widgets.run_chooser import run_title
+from labcal.gui.widgets.unfinished_runs import UnfinishedRuns
 from labcal.gui.widgets.way_ahead import WayAhead
 
 DUE_DAYS = 365
-LISTED = 3  # interrupted runs
 LAST, LAST_WIDE = 3, AT_ONCE  # runs, where their card has the width of half the page, and of all of it
 LAST_RUNS = ("started", "DUT", "result", "calibration", "procedure")
 SEEN = LAST  # of them before the page is rolled; where there is more room all
@@ -52,15 +51,15 @@ class StartPage(QWidget):
         super().__init__()
         self._app_state = app_state
         self._cage_check: Checked | None = None
-        self._to_go_on_with: list[tuple[RunLine, QPushButton]] = []  # run, button
         self.again = QTimer(self, interval=AGAIN_MS, singleShot=True)
         self.again.timeout.connect(lambda: self.refresh() if self.isVisible() else None)
         column = QVBoxLayout(self)
         column.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 2 * GRID)
         column.setSpacing(2 * GRID)
         column.addWidget(self._hello_card())
-        self.interrupted = Card(self.tr("▲ Unfinished run"))
-        self.interrupted.hide()
+        self.interrupted = UnfinishedRuns(
+            app_state, lambda one: app_state.resume(one.run_id, one.procedure, one.dut_serial)
+        )
         column.addWidget(self.interrupted)
         self.grid = FactGrid()
         self.grid.laid_out.connect(lambda: self._say_runs(self._app_state.path.runs))
@@ -205,7 +204,7 @@ class StartPage(QWidget):
     def _broken_off(self) -> str:
         """A run of the DUT at the top that is to be gone on with comes before another one."""
         here = self._app_state.lab.state.dut_serial
-        if here not in (one.dut_serial for one, _ in self._to_go_on_with):
+        if here not in self.interrupted.duts:
             return ""
         return self.tr("▲ A run of {0} did not come to its end: go on with it below, or measure anew.").format(here)
 
@@ -298,19 +297,11 @@ class StartPage(QWidget):
         self._say_runs(runs)
         if any(one.status == "running" for one in runs) and not self._app_state.run.alive:  # in another process
             self.again.start()
-        here = QApplication.focusWidget()
-        had_focus = here is not None and self.interrupted.isAncestorOf(here)
-        while (old := self.interrupted.body.takeAt(0)) is not None:
-            if (widget := old.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
-        broken, self._to_go_on_with = to_be_resumed(runs, self._app_state.path.resumable), []
-        self.interrupted.setVisible(bool(broken))
-        self._list_interrupted(broken)
+        had_focus = self.interrupted.show_runs(to_be_resumed(runs, self._app_state.path.resumable))
         self._enable()
         if had_focus:  # else Qt gives it to the DUT's serial, selected: the next key would replace it
-            again = (one for _, one in self._to_go_on_with)
-            there = next((one for one in again if one.objectName() == "primary"), self.calibrate)
+            again = (one for one in self.go_on_buttons if one.objectName() == "primary")
+            there = next(again, self.calibrate)
             there.show()
             there.setFocus(Qt.FocusReason.OtherFocusReason)
 
@@ -344,44 +335,16 @@ class StartPage(QWidget):
             ink = {2: state, 3: "warning" if doubtful(text) else ""}.get(column) or "text"
             self.runs.set_cell(row, column, text, colour=getattr(self._theme, ink), tip=run_title(one))
 
-    def _list_interrupted(self, broken: list[RunLine]) -> None:
-        """A button each; how many more there are is said."""
-        lost = self.tr(
-            "Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was "
-            "finished it begins with the first step."
-        )
-        more = self.tr("{0} more on the History page.").format(len(broken) - LISTED) if len(broken) > LISTED else ""
-        bench = "" if self._app_state.facts is not None else self.tr("Open a bench first.")
-        self.interrupted.body.addWidget(label(" ".join(filter(None, (lost, bench, more))), wrap=True))
-        self._to_go_on_with = [(one, self._go_on_button(one)) for one in broken[:LISTED]]
-        row = QWidget()
-        row.setLayout(Flow(*self.go_on_buttons, left=True))
-        self.interrupted.body.addWidget(row)
-        self._point()
-
     @property
     def go_on_buttons(self) -> list[QPushButton]:
         """Those of the runs that can be gone on with, the newest first."""
-        return [again for _, again in self._to_go_on_with]
-
-    def _go_on_button(self, one: RunLine) -> QPushButton:
-        tip = self.tr("What is missing of it; you are asked whether the mounting stands")
-        again = button(
-            self.tr("Go on with {0}").format(f"{one.dut_serial} · {local_time(one.started_utc):%Y-%m-%d %H:%M}"),
-            f"{run_title(one)}\n{tip}",
-        )
-        again.clicked.connect(lambda: self._app_state.resume(one.run_id, one.procedure, one.dut_serial))
-        again.setEnabled(self._app_state.facts is not None)
-        return again
+        return self.interrupted.go_on_buttons
 
     def _point(self) -> None:
         """The one thing to do, as Next says it: of runs that broke off that which it goes on with."""
         to, known = self._app_state.path.next(), self._app_state.facts is not None
-        mine = [to.resumes is not None and one.run_id == to.resumes.run_id for one, _ in self._to_go_on_with]
-        mended = not self._app_state.lab.state.now.to_be_mended
-        for first, (_, again) in zip(mine, self._to_go_on_with, strict=True):
-            set_primary(again, first and mended)
-            again.setEnabled(known and not self._app_state.lab.state.now.failed)  # it is said above who is silent
+        now = self._app_state.lab.state.now  # it is said above who is silent
+        mine = self.interrupted.point(to, mended=not now.to_be_mended, may=known and not now.failed)
         begins = to.page in ("Run", "Start")
         self.to_do.setText(to.words)
         marks = self._app_state.path.marks()
@@ -389,8 +352,8 @@ class StartPage(QWidget):
         self.way.setVisible(known)
         self.go_on.setText(to.words)
         self.go_on.setVisible(known and not begins and not to.off and not self._app_state.run.alive)
-        set_primary(self.go_on, not any(mine))
-        set_primary(self.calibrate, not any(mine) and not to.waits and to.page == "Run")
+        set_primary(self.go_on, not mine)
+        set_primary(self.calibrate, not mine and not to.waits and to.page == "Run")
 
 
 def days_since(utc: str) -> int:

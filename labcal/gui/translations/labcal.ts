@@ -6507,6 +6507,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>still at work</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7991,10 +7995,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>▲ Unfinished run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Check the cage</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8080,26 +8080,6 @@ after this step …</source>
     </message>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>{0} more on the History page.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open a bench first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go on with {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is missing of it; you are asked whether the mounting stands</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8279,6 +8259,33 @@ after this step …</source>
     </message>
     <message>
         <source>Calibrations of {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedRuns</name>
+    <message>
+        <source>▲ Unfinished run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -9739,11 +9746,19 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>only in a run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0} instruments</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10012,6 +10027,10 @@ after this step …</source>
     </message>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10356,6 +10375,22 @@ after this step …</source>
     </message>
     <message>
         <source>The bench that was open stays open: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begun on the bench {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (not simulated)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

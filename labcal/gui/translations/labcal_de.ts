@@ -6507,6 +6507,10 @@
         <translation>beim Wächter der letzten Sitzung</translation>
     </message>
     <message>
+        <source>still at work</source>
+        <translation>noch an der Arbeit</translation>
+    </message>
+    <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation>Eine Messung läuft und liest die Geräte selbst; der Prüfling wird in ihrem nächsten Schritt wieder gelesen.</translation>
     </message>
@@ -7924,10 +7928,6 @@ diesem Schritt …</translation>
 <context>
     <name>StartPage</name>
     <message>
-        <source>▲ Unfinished run</source>
-        <translation>▲ Unvollendete Messung</translation>
-    </message>
-    <message>
         <source>Check the cage</source>
         <translation>Käfig prüfen</translation>
     </message>
@@ -8032,14 +8032,6 @@ diesem Schritt …</translation>
         <translation>✓ gültig</translation>
     </message>
     <message>
-        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
-    </message>
-    <message>
-        <source>Go on with {0}</source>
-        <translation>Weiter mit {0}</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ nicht gemessen</translation>
     </message>
@@ -8090,18 +8082,6 @@ diesem Schritt …</translation>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Eine Messung der Seite Messen oder ein im Verlauf importiertes Bündel erscheint hier.</translation>
-    </message>
-    <message>
-        <source>{0} more on the History page.</source>
-        <translation>{0} weitere auf der Seite Verlauf.</translation>
-    </message>
-    <message>
-        <source>Open a bench first.</source>
-        <translation>Zuerst einen Messplatz öffnen.</translation>
-    </message>
-    <message>
-        <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
     </message>
 </context>
 <context>
@@ -8281,6 +8261,33 @@ diesem Schritt …</translation>
     <message>
         <source>Calibrations of {0}</source>
         <translation>Kalibrierungen von {0}</translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedRuns</name>
+    <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Unvollendete Messung</translation>
+    </message>
+    <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Fertige Drehungen bleiben; Null, Achsen und Zeiten werden neu gemessen. Wo keine fertig wurde, beginnt es mit dem ersten Schritt.</translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation>{0} weitere auf der Seite Verlauf.</translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation>Zuerst einen Messplatz öffnen.</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Was daran fehlt; Sie werden gefragt, ob der Einbau noch steht</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Weiter mit {0}</translation>
     </message>
 </context>
 <context>
@@ -9740,12 +9747,20 @@ diesem Schritt …</translation>
         <translation>Wächter</translation>
     </message>
     <message>
+        <source>only in a run</source>
+        <translation>nur während einer Messung</translation>
+    </message>
+    <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation>Der Wächter ist ein eigenes Programm neben labcal: Er hält die Leitungen der Netzgeräte und bringt jede Spule auf null, wenn eine Sitzung endet, abbricht oder nicht mehr antwortet.</translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
         <translation>✕ Keine Antwort von {0}</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0} instruments</source>
+        <translation>✕ Keine Antwort von {0} Geräten</translation>
     </message>
     <message>
         <source>Here that is “{0}”.</source>
@@ -10014,6 +10029,10 @@ diesem Schritt …</translation>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
         <translation>Keine Antwort von allen {0} Geräten: Ist der Strom des Schranks aus, oder Adapter oder Netz weg?</translation>
+    </message>
+    <message>
+        <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
+        <translation>Keine Antwort von {0} Geräten, darunter alle {1} an {2}: zuerst nach dieser gemeinsamen Leitung sehen.</translation>
     </message>
     <message>
         <source>{0}: answers again</source>
@@ -10358,6 +10377,22 @@ diesem Schritt …</translation>
     <message>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Der Messplatz, der offen war, bleibt offen: {0}.</translation>
+    </message>
+    <message>
+        <source>Begun on the bench {0}.</source>
+        <translation>Begonnen am Messplatz {0}.</translation>
+    </message>
+    <message>
+        <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
+        <translation>▲ Begonnen am Messplatz {0}; offen ist {1}. Zuerst {0} öffnen: mit anderen Geräten geht sie nicht weiter.</translation>
+    </message>
+    <message>
+        <source>{0} (simulated)</source>
+        <translation>{0} (simuliert)</translation>
+    </message>
+    <message>
+        <source>{0} (not simulated)</source>
+        <translation>{0} (nicht simuliert)</translation>
     </message>
 </context>
 <context>

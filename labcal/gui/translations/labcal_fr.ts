@@ -6507,6 +6507,10 @@
         <translation>tenu par le gardien de la dernière session</translation>
     </message>
     <message>
+        <source>still at work</source>
+        <translation>encore au travail</translation>
+    </message>
+    <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
         <translation>Une mesure est en cours et lit elle-même les appareils ; le DUT est relu à son étape suivante.</translation>
     </message>
@@ -7924,10 +7928,6 @@ cette étape …</translation>
 <context>
     <name>StartPage</name>
     <message>
-        <source>▲ Unfinished run</source>
-        <translation>▲ Mesure inachevée</translation>
-    </message>
-    <message>
         <source>Check the cage</source>
         <translation>Vérifier la cage</translation>
     </message>
@@ -8032,14 +8032,6 @@ cette étape …</translation>
         <translation>✓ à jour</translation>
     </message>
     <message>
-        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
-    </message>
-    <message>
-        <source>Go on with {0}</source>
-        <translation>Continuer {0}</translation>
-    </message>
-    <message>
         <source>▲ not measured</source>
         <translation>▲ non mesurée</translation>
     </message>
@@ -8090,18 +8082,6 @@ cette étape …</translation>
     <message>
         <source>A run from the Run page, or a bundle imported on the History page, comes up here.</source>
         <translation>Une mesure de la page Mesure, ou un paquet importé à l&apos;Historique, apparaît ici.</translation>
-    </message>
-    <message>
-        <source>{0} more on the History page.</source>
-        <translation>{0} autres à la page Historique.</translation>
-    </message>
-    <message>
-        <source>Open a bench first.</source>
-        <translation>Ouvrez d&apos;abord un banc.</translation>
-    </message>
-    <message>
-        <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
     </message>
 </context>
 <context>
@@ -8281,6 +8261,33 @@ cette étape …</translation>
     <message>
         <source>Calibrations of {0}</source>
         <translation>Étalonnages de {0}</translation>
+    </message>
+</context>
+<context>
+    <name>UnfinishedRuns</name>
+    <message>
+        <source>▲ Unfinished run</source>
+        <translation>▲ Mesure inachevée</translation>
+    </message>
+    <message>
+        <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
+        <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
+    </message>
+    <message>
+        <source>{0} more on the History page.</source>
+        <translation>{0} autres à la page Historique.</translation>
+    </message>
+    <message>
+        <source>Open a bench first.</source>
+        <translation>Ouvrez d&apos;abord un banc.</translation>
+    </message>
+    <message>
+        <source>What is missing of it; you are asked whether the mounting stands</source>
+        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+    </message>
+    <message>
+        <source>Go on with {0}</source>
+        <translation>Continuer {0}</translation>
     </message>
 </context>
 <context>
@@ -9740,12 +9747,20 @@ cette étape …</translation>
         <translation>gardien</translation>
     </message>
     <message>
+        <source>only in a run</source>
+        <translation>seulement pendant une mesure</translation>
+    </message>
+    <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
         <translation>Le gardien est un programme à part, à côté de labcal : il tient les lignes des alimentations et ramène chaque bobine à zéro quand une session se termine, s’interrompt ou ne répond plus.</translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
         <translation>✕ Pas de réponse de {0}</translation>
+    </message>
+    <message>
+        <source>✕ No answer from {0} instruments</source>
+        <translation>✕ Pas de réponse de {0} appareils</translation>
     </message>
     <message>
         <source>Here that is “{0}”.</source>
@@ -10014,6 +10029,10 @@ cette étape …</translation>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
         <translation>Pas de réponse des {0} instruments : la baie est-elle hors tension, ou l’adaptateur ou le réseau absent ?</translation>
+    </message>
+    <message>
+        <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
+        <translation>Pas de réponse de {0} appareils, dont les {1} à {2} : voyez d&apos;abord cette ligne commune.</translation>
     </message>
     <message>
         <source>{0}: answers again</source>
@@ -10358,6 +10377,22 @@ cette étape …</translation>
     <message>
         <source>The bench that was open stays open: {0}.</source>
         <translation>Le banc qui était ouvert le reste : {0}.</translation>
+    </message>
+    <message>
+        <source>Begun on the bench {0}.</source>
+        <translation>Commencée sur le banc {0}.</translation>
+    </message>
+    <message>
+        <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
+        <translation>▲ Commencée sur le banc {0} ; {1} est ouvert. Ouvrez d&apos;abord {0} : avec d&apos;autres appareils, elle ne continue pas.</translation>
+    </message>
+    <message>
+        <source>{0} (simulated)</source>
+        <translation>{0} (simulé)</translation>
+    </message>
+    <message>
+        <source>{0} (not simulated)</source>
+        <translation>{0} (non simulé)</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,7 @@ from labcal.gui.ipc.wire import BROKEN, Fault, fault_of
 from labcal.gui.translations.sentences import BenchFile, in_words
 from labcal.gui.viewmodels import lab_heard
 from labcal.gui.viewmodels.archived import ArchivedViewModel
+from labcal.gui.viewmodels.begun_on import another_bench
 from labcal.gui.viewmodels.bench_of_run import links_of, stands_on
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
@@ -88,6 +89,7 @@ class AppState(QObject):
         self.facts: Bench | None = None
         self.named_serials = NamedSerials(self.lab, self.run, lambda: self.facts)
         self.answered: dict[str, InstrumentAnswer] = {}  # by instrument, when they were last asked
+        self.path.another_bench = lambda one: another_bench(one, self.facts, self.answered)
         self.bench = ""
         self.wanted: Wanted | None = None
         self.said_for_now, self._said_no_more = SaidForNow(self.lab), SaidNoMore(self.lab, self.run)

@@ -13,12 +13,14 @@ from labcal.bench.named_links import named_links
 from labcal.bench.stage_off import NOT_YET
 from labcal.gui.ipc.answers import Bench, Doubt, Identified, SwitchedOff
 from labcal.gui.ipc.client import Client
+from labcal.gui.ipc.lab_messages import ReadLab
 from labcal.gui.ipc.messages import CheckZero, Identify, SwitchOff
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.answers_again import LIFTED
 from labcal.gui.viewmodels.being_asked import being_asked
+from labcal.gui.viewmodels.beside_off import read_beside_off
 from labcal.gui.viewmodels.by_hand import by_hand_words
 from labcal.gui.viewmodels.earlier_supplies import EarlierSupplies
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
@@ -97,6 +99,7 @@ class CoilsOff(QObject):
         self._stood = StoodBefore()
         self._report: tuple[str, str, str] | None = None  # coils, time and all of it, where the platform is to come
         self._off_s: float | None = None  # when it was said last; None once the platform was seen to stand
+        window.watch.beside_off = self._beside
         self.force_timer = QTimer(self, interval=OFF_WAITS_MS, singleShot=True)
         self.force_timer.timeout.connect(self._by_force)
 
@@ -168,6 +171,12 @@ class CoilsOff(QObject):
     def read_again(self) -> None:
         """What tells whether hands may go in, now that the supplies are at zero: the reference is asked as well."""
         self._window.watch.read_again(self.tellers())
+
+    def _beside(self) -> ReadLab | None:
+        """What is read while this is not answered; a run that goes on has its lines."""
+        window = self._window
+        ordered_s = None if window.run.alive else window.kept.ordered_s
+        return read_beside_off(window.bench, window.facts, ordered_s, window.now_s())
 
     def tellers(self) -> tuple[str, ...]:
         """Who tells how coils and platform are; the reference of another simulated lab tells nothing of a coil."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
@@ -24,6 +24,8 @@ UNHEARD = "no answer"
 FAILED = "failed-"  # before the name of a step, in the key of its question
 AGAIN = "try again"
 SHOWN = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0}")
+MANY = QT_TRANSLATE_NOOP("Words", "✕ No answer from {0} instruments")
+NAMED = 3  # of those who are lost, in the largest letters; of more how many, for the list names them
 HERE = QT_TRANSLATE_NOOP("Words", "Here that is “{0}”.")
 BY_OFF = QT_TRANSLATE_NOOP("Words", "The run did not end by itself within seconds, so its process was ended.")
 THEN = QT_TRANSLATE_NOOP("Words", "Then “{0}”.")
@@ -34,13 +36,23 @@ def asked_text(prompt: Prompt) -> str:
     return without_age(str(prompt.drawing.get(FAULT, prompt.text)))
 
 
-def headline(prompt: Prompt) -> str:
-    """The question in one glance; of a step that failed who does not answer, else what happened."""
+def headline(prompt: Prompt, lost: Sequence[str] = ()) -> str:
+    """The question in one glance; of a step that failed who does not answer, else what happened.
+
+    `lost`: everybody who is by now, where that is known. A run hears first of whom it asks most often.
+    """
     if QUESTION in prompt.drawing:
         return in_words(str(prompt.drawing[QUESTION]))
-    if lost := prompt.drawing.get(NO_ANSWER):
-        return translated(str(SHOWN)).format(lost)
+    if first := prompt.drawing.get(NO_ANSWER):
+        return no_answer_from(lost or [str(first)])
     return in_words(_plain(str(prompt.drawing[WHAT])) if WHAT in prompt.drawing else asked_text(prompt))
+
+
+def no_answer_from(lost: Sequence[str]) -> str:
+    """Who does not answer, by name; of many how many."""
+    if len(lost) > NAMED:
+        return translated(str(MANY)).format(len(lost))
+    return translated(str(SHOWN)).format(", ".join(lost))
 
 
 def below(prompt: Prompt, again: str, *, lost: bool = True, first: str = "") -> str:

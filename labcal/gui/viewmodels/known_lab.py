@@ -19,6 +19,7 @@ from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S, LabNow, lab_now, pl
 from labcal.gui.viewmodels.last_current import LastCurrents
 from labcal.gui.viewmodels.last_heard import LastHeard
 from labcal.gui.viewmodels.reference_again import ambient_of, measured_at_s, mounted_anew, seconded
+from labcal.gui.viewmodels.who_is_there import with_guardian
 
 UNANSWERED = "no answer yet"  # of a coil: to the order of zero; nothing is known against its supply
 LOST_FIRST_S = 8.0  # so long after the order a supply that is known to be lost is named alone, the others not known yet
@@ -137,6 +138,7 @@ class KnownLab:
         by_s = self._patience_s(known, now_s, by_s, driven=driven)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
         now = replace(now, in_common=_in_common(known, facts), heard_at_s=self._heard.at_s(supplies(facts)))
+        now = replace(now, lights=with_guardian(now.lights, facts))
         if not driven and facts is not None and facts.virtual_time:
             now = _not_read_on(now)
         if known is not None and (more := self._field_more(known, facts, now_s)) is not None:

@@ -1,6 +1,7 @@
 """The lab is looked at on while no run goes on, until the coils are read back at zero and everybody answers.
 
-Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once. Where nobody has been
+Nothing is set by it. It has a worker of its own, which whoever wants the coils off ends at once; while that is not
+answered, the reference is read beside it. Where nobody has been
 at the window for `ALONE_S` and hands may go in, nobody reads on: supplies are not asked all night for nobody.
 """
 
@@ -16,6 +17,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from labcal.gui.ipc.client import Worker
 from labcal.gui.ipc.lab_messages import InstrumentRead, PrepareToRead, ReadLab
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.guardian import GUARDIAN
 from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
@@ -45,6 +47,7 @@ class LabWatch(QObject):
     ) -> None:
         super().__init__()
         self._worker, self._lab, self._bench, self._wrong, self._take = worker, lab, bench, wrong, take
+        self.beside_off: Callable[[], ReadLab | None] = lambda: None  # what is read while COILS OFF is not answered
         self._touched_s = time.monotonic()
         self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
         self.round = WatchRound(lambda name: name in coils())
@@ -65,6 +68,8 @@ class LabWatch(QObject):
         if not self.alone_since and self._bench() and (names := self._wrong()):
             self.round.begin(names, time.monotonic())
             self._go_on()
+        if self._asked is None and (beside := self.beside_off()) is not None:
+            self._ask(beside)
 
     def prepare(self, bench: str) -> None:
         """A run goes on, on this bench ("": none does): whoever looks after it has nothing to load first."""
@@ -92,10 +97,10 @@ class LabWatch(QObject):
     def seen_in(self, now: LabNow) -> LabNow:
         """The lab, with since when nobody reads it, and whose lines a guardian has kept."""
         if self._kept and not now.driven:
-            words = self.tr("the guardian of the last session has it")
+            of = dict.fromkeys(self._kept, self.tr("the guardian of the last session has it"))
+            of[GUARDIAN] = self.tr("still at work")
             lights = (
-                (name, light, words if light == "absent" and name in self._kept else said)
-                for name, light, said in now.lights
+                (name, light, of.get(name, said) if light == "absent" else said) for name, light, said in now.lights
             )
             now = replace(now, lights=tuple(lights))
         return replace(now, unread_since=self.alone_since) if self.alone_since else now
@@ -112,7 +117,7 @@ class LabWatch(QObject):
 
     def read_again(self, names: Sequence[str]) -> None:
         """These now, and not only those that are wrong, where nobody else has the lab: coils first, by themselves."""
-        if self._asked is None and self._bench() and names:
+        if self._bench() and names:
             self.round.begin(names, time.monotonic(), at_once=True)
             self._go_on()
 
@@ -133,14 +138,15 @@ class LabWatch(QObject):
             return
         for_a_person, took_s = not asked.names, time.monotonic() - self._asked_s
         self._over()
-        if asked.bench != self._bench():
+        beside = self.beside_off()
+        if asked.bench not in (self._bench(), "" if beside is None else beside.bench):
             return
         self._kept = (self._kept - {one.name for one in said}) | {one.name for one in said if one.held and one.until}
         self._take(said)
         if for_a_person:
             self._lab.update(message=self._words(said))
         self.was_read.emit()
-        self.round.took(asked.names, took_s, answered=not any(one.fault for one in said))
+        self.round.took(asked.names, took_s, silent=[one.name for one in said if one.fault])
         if for_a_person and took_s > LOOK_S:  # somebody was slow: what the others said is that old by now
             self.look()
         self._go_on()

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.guardian import GUARDIAN
 from labcal.gui.viewmodels.lab_now import WATCHED_S, LabNow
 
 ANY = {
@@ -40,6 +41,7 @@ def just_read(now: LabNow) -> dict[str, bool]:
     return {
         name: light == "ok" or (light == "old" and (ages.get(name, now.coil_old_s) or 0) <= WATCHED_S)
         for name, light, _ in now.lights
+        if name != GUARDIAN
     }
 
 

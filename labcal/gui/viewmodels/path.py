@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -79,6 +79,7 @@ class PathViewModel(QObject):
         self.runs: tuple[RunLine, ...] = ()
         self.resumable: frozenset[str] = frozenset()  # procedures that can be gone on with, once these are known
         self.listed = False  # whether the store has been read
+        self.another_bench: Callable[[RunLine], str] = lambda one: ""  # that another is open than it was begun on
         self.files: tuple[CalibrationFile, ...] = ()
         self._step: tuple[object, str] = (None, "")  # which state of which file the Certificate page shows; its step
         self.results = dict[str, RunResult]()  # of runs, as far as they were told: no window asks for them anew
@@ -150,6 +151,11 @@ class PathViewModel(QObject):
             remedy = self.tr("What it has not measured yet would be missing: go on with it on the Start page.")
         return self.tr("Run {0} {1}. {2}").format(run_id, known[ended_word(status, stopped=listed.stopped)], remedy)
 
+    def begun_elsewhere(self, run_id: str) -> str:
+        """That another bench is open than a run that broke off was begun on, in words; "" else."""
+        broken = (one for one in self.runs if one.run_id == run_id)
+        return next(map(self.another_bench, broken), "")
+
     def broken_off(self, simulated: bool) -> str:
         """The DUT of the newest run in such a lab, where that run is to be gone on with; else ""."""
         newest = next((one for one in self.runs if one.simulated == simulated), None)
@@ -214,7 +220,8 @@ class PathViewModel(QObject):
             return Next("Start", self.tr("Say which DUT"), in_the_bar=True)
         if not state.operator or state.operator_objection:
             return Next("Start", self.tr("Say who works here"), in_the_bar=True)
-        if (broken := self.unfinished()) is not None and broken == last:
+        broken = self.unfinished()
+        if broken is not None and broken == last and not self.another_bench(broken):  # else it might be refused
             return Next("Run", self.tr("Go on with {0}").format(state.dut_serial), resumes=broken)
         if last is None or marks["Run"] != "done":
             return self._to_calibrate(state.dut_serial)

@@ -92,11 +92,13 @@ class RunVerdict:
     next: str
 
 
-def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: bool = False) -> RunVerdict:
+def run_verdict(
+    run: RunViewModel, resumable: Collection[str] = (), *, mended: bool = False, elsewhere: str = ""
+) -> RunVerdict:
     """Of a run that has ended: the worst of its measurements that have limits; none where it did not finish.
 
     `resumable`: the procedures that may be gone on with, none before they are listed; of another, that and why is said.
-    `mended`: what ended it is gone, and nobody is sent to mend it.
+    `mended`: what ended it is gone, and nobody is sent to mend it. `elsewhere`: that another bench is open by now.
     """
     status = run.status.partition(":")[0]
     wanted = run.fault is not None and run.fault.kind == "stopped"  # by Stop or COILS OFF: nothing failed
@@ -109,7 +111,7 @@ def run_verdict(run: RunViewModel, resumable: Collection[str] = (), *, mended: b
         what = "lost" if lost else "mended" if mended and status == "failed" else status
         if status == "interrupted" and not keeps_a_turn(run):
             what += ", no turn" if run.step is not None else ", not begun"
-        rule = translated(str(TEXTS[4]))
+        rule = " ".join(filter(None, (elsewhere, translated(str(TEXTS[4])))))
         if resumable and run.order is not None and run.order.procedure not in resumable:
             what = "stopped" if wanted else "mended" if mended else "failed"  # nothing offers what cannot be
             rule = f"{rule} {translated(str(TEXTS[-1])).format(run.order.procedure)}"

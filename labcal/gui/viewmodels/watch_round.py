@@ -1,14 +1,16 @@
 """In which order the lab is read at rest: the coils every second, everybody else one by one between them. No widgets.
 
-Who is slow, or silent, so keeps nobody waiting but for one answer: the coils tell whether hands may be there. Where a
-supply is silent, and a look at the coils takes longer than to the next one, the others have as long after it.
+Who is slow, or silent, so keeps nobody waiting but for one answer: the coils tell whether hands may be there. A supply
+that is silent is asked like everybody else until it answers, by itself, and just after a look at the other coils: what
+was read of those is not old before the next one. Where a look at the coils takes longer than to the next one, the
+others have as long after it.
 """
 
 from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from statistics import median
 
 from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S
@@ -28,6 +30,8 @@ class WatchRound:
         self._read_s: dict[str, float] = {}  # others, when they were asked last
         self._left_s = 0.0  # which the others have before the coils are looked at again
         self._took_s = deque[float](maxlen=LAST)
+        self._silent = set[str]()  # supplies of coils
+        self._looks = self._just_looked = False  # at coils that answer: then is the time for one that does not
         self._others_s: dict[str, float] = {}  # what the last look at each of them took: coils wait for one of these
 
     @property
@@ -43,39 +47,48 @@ class WatchRound:
         return min(WATCHED_S, max(COILS_S, usual_s) + waits_s + usual_s)
 
     def begin(self, names: Sequence[str], now_s: float, *, at_once: bool = False) -> None:
-        """The coils among `names` are due now, and the others that were not read for as long as a look takes.
+        """Of `names` the coils that answer are due now, and the others that were not read for as long as a look takes.
 
         `at_once`: whenever they were.
         """
-        coils = tuple(name for name in names if self._is_coil(name))
-        waits = [due for due in self._due if due[0] in names and not self._is_coil(due[0])]
-        rested = [(name,) for name in names if not self._is_coil(name)
+        coils = tuple(name for name in names if self._in_looks(name))
+        waits = [due for due in self._due if due[0] in names and not self._in_looks(due[0])]
+        rested = [(name,) for name in names if not self._in_looks(name)
                   and (at_once or now_s - self._read_s.get(name, -LOOK_S) > LOOK_S - COILS_S / 2)]  # fmt: skip
-        self._due = [coils, *waits] if coils else waits
+        self._due, self._looks = [coils, *waits] if coils else waits, bool(coils)
         self._due += [due for due in rested if due not in waits]
 
     def next(self, now_s: float) -> Names:
         """Who is to be asked now, in one question; none where this round is over."""
         if not self._due:
             return ()
-        others = [due for due in self._due if not self._is_coil(due[0])]
-        names = others[0] if others and self._left_s > 0 else self._due[0]
+        may = [due for due in self._due if due[0] not in self._silent or self._just_looked or not self._looks]
+        others = [due for due in may if not self._in_looks(due[0])]
+        if not may:
+            return ()
+        names = others[0] if others and self._left_s > 0 else may[0]
         self._due.remove(names)
-        self._read_s |= {name: now_s for name in names if not self._is_coil(name)}
+        self._just_looked = self._in_looks(names[0])
+        self._read_s |= {name: now_s for name in names if not self._in_looks(name)}
         return names
 
-    def took(self, names: Sequence[str], seconds: float, *, answered: bool = True) -> None:
-        """So long it took until these were read; or, not `answered`, known to be silent."""
-        coils = bool(names) and all(map(self._is_coil, names))
-        self._left_s = (seconds if seconds > COILS_S else 0.0) if coils else self._left_s - seconds
-        if coils and answered:
+    def took(self, names: Sequence[str], seconds: float, *, silent: Collection[str] = ()) -> None:
+        """So long it took until these were read, or, the `silent` ones, known to give no answer."""
+        look = bool(names) and all(map(self._in_looks, names))
+        self._left_s = (seconds if seconds > COILS_S else 0.0) if look else self._left_s - seconds
+        if look and not silent:
             self._took_s.append(seconds)
-        elif not coils:
-            self._others_s |= dict.fromkeys(names, seconds)
+        elif not look:
+            self._others_s |= {name: seconds for name in names if not self._is_coil(name)}
+        self._silent = (self._silent - set(names)) | set(filter(self._is_coil, silent))
+
+    def _in_looks(self, name: str) -> bool:
+        """Whether it is looked at with the coils: those that answer are read at one moment."""
+        return self._is_coil(name) and name not in self._silent
 
     def forget(self) -> None:
         """Nobody is due: somebody else wants the lines."""
         self._due, self._left_s = [], 0.0
-        self._read_s = {}
+        self._read_s, self._silent = {}, set()
         self._took_s.clear()
         self._others_s = {}

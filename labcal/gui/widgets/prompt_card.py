@@ -271,14 +271,15 @@ class PromptCard(UncutCard):
         """
         if self._prompt is None:
             return
+        anew = lost != self._who or bool(lost) is not self._lost
         if lost != self._who:
             back, self._who = [one for one in self._who if one not in lost], list(lost)
             self._back = self.tr("{0}: answers again").format(", ".join(back)) if back else ""
         says = NO_ANSWER in self._prompt.drawing or self._prompt.text.startswith(STILL_LOST)
         says = says and self._prompt.key != READY  # there the question stays: what will move is said in it
-        if says and bool(lost) is not self._lost and (lost or self._lost):
+        if says and anew and (lost or self._lost):
             again = self.tr("Every instrument answers again.")
-            self.text.order(unbroken(headline(self._prompt)) if lost else again)
+            self.text.order(unbroken(headline(self._prompt, lost)) if lost else again)
             self._mended = not lost
         self._lost = bool(lost)
         self._let_answer()
