@@ -14,9 +14,10 @@ from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, LookAt
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.calibration_rows import cause_rows
 from labcal.gui.viewmodels.cause_words import in_plain_words, with_id
+from labcal.gui.viewmodels.loop_causes import CAUSE
 from labcal.gui.viewmodels.loop_words import called, said_plainly
 from labcal.gui.viewmodels.signing import doubts
-from labcal.gui.widgets.causes_table import ID
+from labcal.gui.widgets.causes_table import ID, VERDICT
 from labcal.model.effects import phrases
 from labcal.model.records import EffectRecord, Parameter, Rival
 
@@ -93,7 +94,7 @@ def test_the_table_has_the_words_and_beside_them_the_id_in_small_letters(traced,
     table = traced.page("Loop").others
     qtbot.waitUntil(lambda: table.rowCount() == len(REJECTED) + 2, timeout=patience)
     assert (table.text(0, 0), table.text(0, ID)) == ("the offset changes with a current (i_eps)", "offset-current")
-    assert table.horizontalHeader().visualIndex(ID) == 1
+    assert [table.horizontalHeader().visualIndex(column) for column in (VERDICT, CAUSE, ID)] == [0, 1, 2]
     small, usual = table.item(0, ID).font(), table.font()
     assert 0 < small.pixelSize() < (usual.pixelSize() if usual.pixelSize() > 0 else table.fontInfo().pixelSize())
     table.show_loop(told_by_the_loop("reverse"), LIGHT)

@@ -38,8 +38,8 @@ class CausesTable(SortedTable):
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.show_rows(MOST_ROWS, LEAST_ROWS)
         self.right_heading(TAKES_OFF)
-        self.horizontalHeader().moveSection(VERDICT, 1)  # where a narrow window shows it
-        self.horizontalHeader().moveSection(self.horizontalHeader().visualIndex(ID), 1)  # beside the cause
+        self.horizontalHeader().moveSection(VERDICT, 0)  # where a narrow window shows it
+        self.horizontalHeader().moveSection(ID, 2)  # beside the cause
         self.show_order(*self._order[:1], falling=False)
         self.sort_wanted.connect(self.sort_by)
         self.explain_heading(
