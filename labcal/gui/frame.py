@@ -32,6 +32,7 @@ from labcal.gui.viewmodels.number_format import turns_written
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, label, named, plain, set_state
+from labcal.gui.widgets.file_columns import show_names_whole
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
@@ -275,6 +276,8 @@ class Frame(QMainWindow):
                 watched.setStyleSheet(self.sheet())  # what is styled here does not reach it
             if isinstance(watched, QDialog):
                 put_off_into(watched, self.coils_off.emit)
+            if isinstance(watched, QFileDialog):
+                show_names_whole(watched)
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:

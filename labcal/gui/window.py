@@ -280,7 +280,8 @@ class Window(Frame):
         begins = self.tr("Begin {0}").format(app_state.path.begins)
         following = begins if here and to.ready else said_here(self.lazy_pages, to, here, unlike)
         self.say_next(following, app_state.lab.state.dut_serial)
-        calm = not app_state.off.warns or app_state.run.alive or to.page == "Bench"  # else the red card comes first
+        warned = app_state.off.warns and not app_state.run.alive and to.page != "Bench"  # the red card comes first
+        calm = not warned and not (here and app_state.run.alive)  # what a question asks is pressed on its own card
         QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget(), calm=calm))
         nothing_to_do = to.waits and here
         self.next.setVisible(not (nothing_to_do and app_state.run.alive))  # who is needed when stands beside the steps

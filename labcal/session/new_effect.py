@@ -192,6 +192,7 @@ FAMILY = Family(
     kernel,
     candidates,
     shapes=$shapes,
+    phrase="$name",  # what happens, for a technician: "the gain changes with temperature"
     experiment="hold all else and move it up and down through its range, twice",
 )
 '''

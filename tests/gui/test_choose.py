@@ -213,10 +213,10 @@ def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided, patience):
     rows = [[page.others.text(row, column) for column in range(5)] for row in range(2)]
     assert [(row[0], row[3], row[4]) for row in rows] == [
         ("offset-current (i_eps)", "✓ named", "it falls"),
-        ("offset-drift", "? rival", "does about as well as offset-current (i_eps)"),
+        ("offset-drift", "? rival", "does about as well as “offset-current (i_eps)”"),
     ]
     page.others.selectRow(1)
-    assert page.change_why.text() == "offset-drift: does about as well as offset-current (i_eps)"
+    assert page.change_why.text() == "offset-drift: does about as well as “offset-current (i_eps)”"
 
 
 def test_what_would_tell_causes_apart_is_not_measured_on_another_dut(qtbot, undecided):

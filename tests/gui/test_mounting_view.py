@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF
+from PySide6.QtGui import QFontMetricsF
 
 from labcal.bench.coils.state import LabState, PlatformReading, unread
 from labcal.bench.mounting import attitude
@@ -15,7 +16,7 @@ from labcal.gui.ipc.messages import RunProcedure
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.widgets import mounting_view
 from labcal.gui.widgets.mounting_view import Mounting
-from labcal.gui.widgets.placed_names import Tip, placed
+from labcal.gui.widgets.placed_names import Tip, near, placed
 from labcal.record.stream import Prompt
 
 UP = {"body_from_cage": np.eye(3).tolist(), "axis_cage": [0.0, 0.0, 1.0]}
@@ -75,6 +76,23 @@ def test_names_of_axes_lie_over_no_other_name_and_within_the_drawing(qtbot, size
     assert len(drawing.names) == 5
     assert all(drawing.rect().toRectF().contains(place) for place in drawing.names.values())
     assert [pair for pair in combinations(drawing.names.values(), 2) if pair[0].intersects(pair[1])] == []
+
+
+@pytest.mark.parametrize(("size", "small"), [((130, 340), True), ((900, 700), False)], ids=str)
+@pytest.mark.parametrize("up", "xyz")
+def test_names_are_written_small_where_large_ones_would_stand_at_another_arrow(qtbot, size, up, small):
+    drawing = mounted(qtbot, size, up)
+    usual = QFontMetricsF(drawing.font()).height()
+    assert all((place.height() < usual) == small for place in drawing.names.values())
+
+
+def test_a_name_nearer_to_another_tip_than_to_its_own_or_far_from_it_is_not_near():
+    size = QSizeF(40.0, 12.0)
+    tips = [Tip(QPointF(0.0, 0.0), 0.0, size), Tip(QPointF(100.0, 0.0), 0.0, size)]
+    own = [QRectF(5.0, -6.0, 40.0, 12.0), QRectF(105.0, -6.0, 40.0, 12.0)]
+    assert near(tips, own)
+    assert not near(tips, own[::-1])
+    assert not near(tips, [own[0], QRectF(105.0, 60.0, 40.0, 12.0)])
 
 
 @pytest.mark.parametrize("size", [(244, 550), (404, 770), (620, 420)], ids=str)

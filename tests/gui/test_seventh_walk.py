@@ -22,7 +22,7 @@ from labcal.model.records import EffectRecord, Rival
 
 RIVAL = Rival("offset-temperature", ("T_box",), 2.0)
 DOUBTED = EffectRecord("offset-current", ("i_radio",), {}, "sensor", (), provisional=True, rivals=(RIVAL,))
-SAID = "AMBIGUOUS: offset-current (i_radio) is provisional; offset-temperature (T_box) may be the cause as well."
+SAID = "AMBIGUOUS, the cause is not certain: offset-current (i_radio). It may be another: offset-temperature (T_box)."
 
 
 def in_doubt(one):

@@ -30,5 +30,6 @@ FAMILY = Family(
     kernel,
     candidates,
     shapes=(BENDS_AT,),
+    phrase="a core at the harness is magnetised by a current",
     experiment="switch the load at several currents: what saturates hardly grows beyond its bend",
 )

@@ -48,7 +48,8 @@ from labcal.certificate.signing import Verification
 from labcal.model import Calibration, EffectRecord, Parameter
 from labcal.model.apply import temperature_channel
 from labcal.model.calibration import units_of_channels
-from labcal.model.effects import find
+from labcal.model.effects import find, plainly
+from labcal.model.records import Rival
 from labcal.record import Dut, Run
 from labcal.uncertainty.conformity import Changes, stated_lines
 from labcal.uncertainty.unstated import not_stated
@@ -137,7 +138,7 @@ def headline_of(before: float | None, after: float | None, caption: str) -> Head
 
 
 def _effect_table(effect: EffectRecord, k: float) -> Table:
-    name = " · ".join([effect.effect, *effect.channels]) + (" (provisional)" if effect.provisional else "")
+    name = named(effect) + (" (provisional)" if effect.provisional else "")
     family = find(effect.effect)
     kinds = {shape.name: shape.kind.name for shape in family.shapes} if family is not None else {}
     rows = tuple(_parameter_row(parameter, k, kinds.get(parameter.name)) for parameter in effect.parameters)
@@ -160,15 +161,19 @@ def _why(effect: EffectRecord) -> str:
         said.append(f"Held-out rms {number(before)} → {number(after)} nT.")
     if (gain := effect.improvement_ci95_nT) is not None:
         said.append(f"What it takes off lies between {number(gain[0])} and {number(gain[1])} nT (95 %).")
-    said += [
-        f"Rival: {' · '.join([r.effect, *r.channels])} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals
-    ]
+    said += [f"Rival: {named(r)} ({number(r.holdout_rms_after_nT)} nT)." for r in effect.rivals]
     units = units_of_channels([effect])
     said += [
         f"{name} counts from {value:g} {units.get(name, '')}".rstrip() + "."
         for name, value in effect.reference_value.items()
     ]
     return " ".join(filter(None, said))
+
+
+def named(cause: EffectRecord | Rival) -> str:
+    """What happens, in plain words, then what files call it, and its channels."""
+    words = plainly(cause.effect)
+    return " · ".join(filter(None, (words if words != cause.effect else "", cause.effect, *cause.channels)))
 
 
 def what_it_is(effect: str) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from labcal.certificate.parameters_k import k_in_words, k_of_sources
-from labcal.certificate.report.calibration import effect_tables, headline_of, name_of
+from labcal.certificate.report.calibration import effect_tables, headline_of, name_of, named
 from labcal.certificate.report.conformity import conformity_blocks
 from labcal.certificate.report.empirical_term import empirical_blocks
 from labcal.certificate.report.figures import segment_bounds, thin
@@ -162,7 +162,7 @@ def _not_tried(result: ClosedLoop) -> Prose | None:
 def _rejected_row(e: EffectRecord) -> tuple[str, ...]:
     gain = NOTHING if e.improvement_ci95_nT is None else " to ".join(number(v) for v in e.improvement_ci95_nT)
     p = NOTHING if e.p_value is None else _chance(e.p_value)
-    return " · ".join([e.effect, *e.channels]), number(e.holdout_rms_after_nT), gain, p, sentence(e.why)
+    return named(e), number(e.holdout_rms_after_nT), gain, p, sentence(e.why)
 
 
 def _chance(p: float) -> str:

@@ -145,22 +145,6 @@ class Procedures:
     broken: Mapping[str, str] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Look:
-    """A run as it was recorded: readings (n, 3) [nominal nT], and what they may be drawn against, by name with unit.
-
-    `segment_index` (n,) into `segments`, by name; empty where they are not told apart.
-    """
-
-    run_id: str
-    dut: str
-    n_samples: int
-    before: Array
-    against: Mapping[str, Array]
-    segments: tuple[str, ...] = ()
-    segment_index: Array = field(default_factory=lambda: np.empty(0))
-
-
 @dataclass(frozen=True, slots=True)
 class FitFigures:
     """One method's answer in figures (contract: FIT)."""
@@ -282,6 +266,26 @@ class Loop:
     draft: str
     change: Change
     drawn_against: Mapping[str, str] = field(default_factory=dict)  # by effect: "time", "angle" or "field"
+    phrases: Mapping[str, str] = field(default_factory=dict)  # by effect: what happens, in plain words
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Look:
+    """A run as it was recorded: readings (n, 3) [nominal nT], and what they may be drawn against, by name with unit.
+
+    `segment_index` (n,) into `segments`, by name; empty where they are not told apart. `fits`, by method, and `loop`:
+    what was worked out of it before and is kept.
+    """
+
+    run_id: str
+    dut: str
+    n_samples: int
+    before: Array
+    against: Mapping[str, Array]
+    segments: tuple[str, ...] = ()
+    segment_index: Array = field(default_factory=lambda: np.empty(0))
+    fits: Mapping[str, Fitted] = field(default_factory=dict)
+    loop: Loop | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -394,3 +398,4 @@ class CalibrationFile:
     unexplained: str = ""  # by the loop that made it: a sentence
     not_measured: tuple[str, ...] = ()  # of K and k: held as they stand
     left_nT: float | None = None  # of |b| in held-out rows, by the fit that made it
+    phrases: Mapping[str, str] = field(default_factory=dict)  # by effect: what happens, in plain words

@@ -111,6 +111,7 @@ def calibrations(channel: Channel, asked: ListCalibrations) -> tuple[Calibration
 def _calibration(path: Path) -> CalibrationFile:
     """What a calibration file says, and how its signatures stand."""
     from labcal import session
+    from labcal.model.effects import phrases
 
     found = session.load_calibration(path)
     covariance = found.covariance
@@ -137,6 +138,7 @@ def _calibration(path: Path) -> CalibrationFile:
         unexplained=found.unexplained(),
         not_measured=found.not_measured(),
         left_nT=found.metrics.get("after", {}).get("holdout_rms_scalar_nT"),
+        phrases=phrases(),
     )
 
 

@@ -18,6 +18,7 @@ from labcal.files.home import home, own_folder
 from labcal.gui.ipc.answers import Array, Change, FitFigures, Fitted, Growth, Look, Loop, Proposal, ShellLeft
 from labcal.gui.ipc.channel import Channel
 from labcal.gui.ipc.handlers import handles
+from labcal.gui.ipc.kept_answers import keep_fit, keep_loop, kept_fits, kept_loop
 from labcal.gui.ipc.messages import (
     CloseLoop,
     FilterHistory,
@@ -76,16 +77,23 @@ def methods(channel: Channel, asked: ListMethods) -> tuple[str, ...]:
 
 
 def look(channel: Channel, asked: LookAt) -> Look:
-    """A run as it was recorded, thinned for pictures."""
+    """A run as it was recorded, thinned for pictures, and what was worked out of it before."""
     measured = loaded_run(asked.run)
     rows = thinned(len(measured))
     before, against = measured.reading_nT[rows], regressors(measured, rows)
     names, index = tuple(one.id for one in measured.segments), measured.segment_index[rows].astype(float)
-    return Look(measured.run_id, measured.dut.serial, len(measured), before, against, names, index)
+    fits, found = kept_fits(measured, methods(channel, ListMethods())), kept_loop(measured)
+    return Look(measured.run_id, measured.dut.serial, len(measured), before, against, names, index, fits, found)
 
 
 def fit(channel: Channel, asked: FitRun) -> Fitted:
-    """One method's answer, its residual and its loci."""
+    """One method's answer, its residual and its loci; it is kept for a window that is started again."""
+    answer = _fitted(asked)
+    keep_fit(loaded_run(asked.run), asked.method, answer)
+    return answer
+
+
+def _fitted(asked: FitRun) -> Fitted:
     from labcal import session
     from labcal.fit.metrics import scalar_residual
     from labcal.session.conformity import fit_conformity
@@ -149,11 +157,13 @@ def loop(channel: Channel, asked: CloseLoop) -> Loop:
     finally:
         give_back_memory()  # this process stays as long as the window
     write_text(path.with_suffix(".loop"), json.dumps(closed.to_json()))
-    return _loop_answer(closed, str(path), _change(measured, closed.pictures))
+    answer = _loop_answer(closed, str(path), _change(measured, closed.pictures))
+    keep_loop(measured, answer)
+    return answer
 
 
 def _loop_answer(closed: ClosedLoop, draft: str, change: Change) -> Loop:
-    from labcal.model.effects import families
+    from labcal.model.effects import families, phrases
 
     next_one = closed.next_experiment
     return Loop(
@@ -171,6 +181,7 @@ def _loop_answer(closed: ClosedLoop, draft: str, change: Change) -> Loop:
         draft=draft,
         change=change,
         drawn_against={family.id: family.drawn_against for family in families()},
+        phrases=phrases(),
     )
 
 

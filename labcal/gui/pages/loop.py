@@ -11,13 +11,15 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.viewmodels.app_state import AppState
+from labcal.gui.viewmodels.cause_words import Cause, in_plain_words, with_id
 from labcal.gui.viewmodels.drawn_against import against_words
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
-from labcal.gui.viewmodels.loop_causes import Cause, CauseRow, cause
-from labcal.gui.viewmodels.loop_words import headline, not_determined, of_which_error, said_plainly
+from labcal.gui.viewmodels.loop_causes import CauseRow
+from labcal.gui.viewmodels.loop_words import called, headline, not_determined, of_which_error, said_plainly
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import EXPLAINED, Wanted
+from labcal.gui.viewmodels.study import cause_name
 from labcal.gui.widgets.causes_table import CausesTable
 from labcal.gui.widgets.common import (
     Card,
@@ -40,9 +42,9 @@ from labcal.gui.widgets.plot_letters import LETTERS
 from labcal.gui.widgets.run_chooser import RunChooser, go_to_run_button
 from labcal.gui.widgets.study_plots import Bars, Residuals
 from labcal.gui.widgets.trace_progress import TraceProgress
-from labcal.gui.widgets.whole_card import UncutCard, WholeCard
+from labcal.gui.widgets.whole_card import SharedCard, WholeCard
 
-LEAST_PX = 150  # of a picture: with less room the page is scrolled
+LEAST_PX, LEAST_OF_WORDS_PX = 220, 100  # of a picture, and of what is not known: with less room the page is scrolled
 
 
 class LoopPage(QWidget):
@@ -107,7 +109,7 @@ class LoopPage(QWidget):
     def _verdict_card(self) -> Card:
         card = WholeCard()
         self.verdict, self.plainly = label("", "ask"), shrinkable(label("", wrap=True))
-        self.summary = shrinkable(label("", "caption", wrap=True))
+        self.called, self.summary = (shrinkable(label("", "caption", wrap=True)) for _ in range(2))
         self.summary.hide()
         self.fold = button(self.tr("In figures"), self.tr("The loop's own words: held-out rms, tests, rows set aside"))
         self.fold.setCheckable(True)
@@ -117,6 +119,7 @@ class LoopPage(QWidget):
         words.addWidget(self.verdict)
         self.most_of_U = shrinkable(label("", wrap=True))
         words.addWidget(self.plainly)
+        words.addWidget(self.called)
         words.addWidget(self.most_of_U)
         words.addWidget(self.summary)
         for widget in (self.before_after, self.noise):
@@ -140,7 +143,7 @@ class LoopPage(QWidget):
         return card
 
     def _who_card(self) -> Card:
-        card = UncutCard(self.tr("3  What could cause it"), self.tr("beside declared errors"))
+        card = SharedCard(self.tr("3  What could cause it"), self.tr("beside declared errors"))
         self.bars = Bars(self._theme)
         self.others = CausesTable(self._theme)
         self.others.itemSelectionChanged.connect(self._picked)
@@ -154,7 +157,7 @@ class LoopPage(QWidget):
         return card
 
     def _change_card(self) -> Card:
-        card = Card(self.tr("2  What it changes"), "")
+        card = SharedCard(self.tr("2  What it changes"), "")
         self.change_heading = card.heading
         self.against = combo_box(self.tr("What the residual is drawn against; the named cause first"))
         self.against.activated.connect(self._show_change)
@@ -175,7 +178,7 @@ class LoopPage(QWidget):
         self.unknown = self.begins_at = named(QPlainTextEdit(), "story")
         self.unknown.setReadOnly(True)
         self.unknown.document().setDocumentMargin(0)  # in line with the heading
-        self.unknown.setMinimumHeight(LEAST_PX * 2 // 3)
+        self.unknown.setMinimumHeight(LEAST_OF_WORDS_PX)
         self.next = button(
             "",
             self.tr("Its plan is shown on the Run page before anything moves, and the run is started there"),
@@ -257,6 +260,8 @@ class LoopPage(QWidget):
         self.verdict.setText(words)
         set_state(self.verdict, state)
         self.plainly.setText(said_plainly(loop))
+        self.called.setText(called(loop))
+        self.called.setVisible(bool(self.called.text()))
         beside = self.tr("These figures are beside the errors that the run declares; above they are in it.")
         noise, above = of_which_error(loop)
         lower = how_to_lower_U(self._app_state.path.kept(self._study.run))
@@ -281,14 +286,13 @@ class LoopPage(QWidget):
             (self.tr("as calibrated"), base, None, self._theme.muted)
         ]
         for effect in loop.accepted:
-            gain = effect.improvement_ci95_nT
+            gain, words = effect.improvement_ci95_nT, in_plain_words(effect, loop.phrases)
             start = effect.holdout_rms_before_nT or base
             interval = (start - gain[1], start - gain[0]) if gain else None
-            rows.append((f"+ {cause(effect)}", effect.holdout_rms_after_nT or base, interval, self._theme.after))
-            rows += [
-                (self.tr("or {0}").format(cause(r)), r.holdout_rms_after_nT, None, self._theme.warning)
-                for r in effect.rivals
-            ]
+            rows.append((f"+ {words}", effect.holdout_rms_after_nT or base, interval, self._theme.after))
+            for rival in effect.rivals:
+                instead = self.tr("or {0}").format(in_plain_words(rival, loop.phrases))
+                rows.append((instead, rival.holdout_rms_after_nT, None, self._theme.warning))
         self.bars.show_bars(rows, loop.noise_floor_nT)
 
     def _show_candidates(self) -> None:
@@ -320,9 +324,8 @@ class LoopPage(QWidget):
         aside = {name: n for name, n in loop.set_aside.items() if n}
         lines += [self.tr("Rows set aside: {0} {1}").format(n, in_words(name)) for name, n in aside.items()]
         for effect in loop.accepted:
-            lines += [
-                self.tr("{0} explains it about as well as {1}.").format(cause(r), cause(effect)) for r in effect.rivals
-            ]
+            named, as_well = with_id(effect, loop.phrases), self.tr("“{0}” explains it about as well as “{1}”.")
+            lines += [as_well.format(with_id(r, loop.phrases), named) for r in effect.rivals]
         proposed = loop.next_experiment
         procedure = "" if proposed is None else proposed.procedure or ""
         if proposed is not None:
@@ -354,17 +357,17 @@ class LoopPage(QWidget):
         """What is drawn before and after: all named causes, or the one that is chosen, alone."""
         chosen, loop = self.picked(), self._study.loop
         if chosen is not None:
-            return self._study.causes.get(cause(chosen.cause))
+            return self._study.causes.get(cause_name(chosen.cause.effect, chosen.cause.channels))
         return None if loop is None else loop.change
 
     def _name_change(self) -> None:
         """Whose change it is, why it stands as it does, and how much it is."""
         chosen, one = self.picked(), self._one()
-        title = self.tr("2  What it changes") if chosen is None else self.tr("2  With {0}").format(cause(chosen.cause))
+        title = self.tr("2  What it changes") if chosen is None else self.tr("2  With “{0}”").format(chosen.words)
         self.change_heading.setText(title)
         self.change_heading.setToolTip(title)
         choose = self.tr("Choose one to see what it alone would change.")
-        self.change_why.setText(choose if chosen is None else f"{cause(chosen.cause)}: {chosen.why}")
+        self.change_why.setText(choose if chosen is None else f"{chosen.words}: {chosen.why}")
         rename(self.change_why, "caption" if chosen is None else "")
         if one is None:
             return self.change_words.setText(self.tr("computing …") if self._study.busy else "")

@@ -412,6 +412,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>What files and commands call it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Candidates; choose one to see what it alone would change</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5902,6 +5906,106 @@
         <source>no run goes on here that could be come back to</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the rotation axis is not where it was declared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>something at the cage or the table adds a field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reading along one axis changes with the field across it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference sees the DUT&apos;s own magnetism</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset follows what was recorded, for no known cause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the platform reads its angle wrong</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the DUT is off the cage&apos;s centre</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gain changes with a recorded channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gain jumps at one moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the gain changes with temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>magnetic parts remember earlier fields</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the readings come later than the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reading is not proportional to the field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset changes with a recorded channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset changes with a current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset changes with the square of a current</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset drifts with time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset differs between power modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset jumps at one moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the offset changes with temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a periodic disturbance lies on the readings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference drifts with time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the reference changes with temperature</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>single readings lie far off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>readings are at the end of their range</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -6712,6 +6816,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>“{0}” explains it about as well as “{1}”.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Measure what would tell them apart</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6800,7 +6908,7 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} explains it about as well as {1}.</source>
+        <source>2  With “{0}”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6813,10 +6921,6 @@ after this step …</source>
     </message>
     <message>
         <source>Measure what is missing</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2  With {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9206,10 +9310,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>does about as well as {0}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>With a key here: {0}.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9374,11 +9474,11 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign.</source>
+        <source>A part of the error has a cause: {0}. It is in the draft; something else is left over: see 4 before you sign.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} may be the cause, another one as well. Measure what tells them apart (4), then sign.</source>
+        <source>This may be the cause: {0}. Another one does as well: measure what tells them apart (4), then sign.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9407,6 +9507,10 @@ after this step …</source>
     </message>
     <message>
         <source>explains too little to be worth its parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in files and commands: {0}</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9630,10 +9734,6 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>another one</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9659,6 +9759,10 @@ after this step …</source>
     </message>
     <message>
         <source>Handed out as {0}. Next: another DUT.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS, the cause is not certain: {0}. It may be another: {1}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10242,6 +10346,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>in files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>✓ named</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10259,6 +10367,10 @@ after this step …</source>
     </message>
     <message>
         <source>too little</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>does about as well as “{0}”</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -412,6 +412,10 @@
         <translation>Ob es für eine Benennung genügt; –: sie ist aus einem anderen Grund nicht benannt</translation>
     </message>
     <message>
+        <source>What files and commands call it</source>
+        <translation>Wie Dateien und Befehle es nennen</translation>
+    </message>
+    <message>
         <source>Candidates; choose one to see what it alone would change</source>
         <translation>Kandidaten; einen wählen zeigt, was er allein ändern würde</translation>
     </message>
@@ -5902,6 +5906,106 @@
         <source>no run goes on here that could be come back to</source>
         <translation>hier läuft keine Messung, zu der man zurückkehren könnte</translation>
     </message>
+    <message>
+        <source>the rotation axis is not where it was declared</source>
+        <translation>die Drehachse liegt nicht, wo angegeben</translation>
+    </message>
+    <message>
+        <source>something at the cage or the table adds a field</source>
+        <translation>etwas am Käfig oder am Tisch fügt ein Feld hinzu</translation>
+    </message>
+    <message>
+        <source>the reading along one axis changes with the field across it</source>
+        <translation>die Anzeige längs einer Achse ändert sich mit dem Feld quer dazu</translation>
+    </message>
+    <message>
+        <source>the reference sees the DUT&apos;s own magnetism</source>
+        <translation>die Referenz sieht den Magnetismus des Prüflings</translation>
+    </message>
+    <message>
+        <source>the offset follows what was recorded, for no known cause</source>
+        <translation>der Offset folgt dem Aufgezeichneten, ohne bekannte Ursache</translation>
+    </message>
+    <message>
+        <source>the platform reads its angle wrong</source>
+        <translation>der Tisch liest seinen Winkel falsch ab</translation>
+    </message>
+    <message>
+        <source>the DUT is off the cage&apos;s centre</source>
+        <translation>der Prüfling ist nicht in der Mitte des Käfigs</translation>
+    </message>
+    <message>
+        <source>the gain changes with a recorded channel</source>
+        <translation>die Verstärkung ändert sich mit einem aufgezeichneten Kanal</translation>
+    </message>
+    <message>
+        <source>the gain jumps at one moment</source>
+        <translation>die Verstärkung springt zu einem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>the gain changes with temperature</source>
+        <translation>die Verstärkung ändert sich mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>magnetic parts remember earlier fields</source>
+        <translation>magnetische Teile behalten frühere Felder</translation>
+    </message>
+    <message>
+        <source>the readings come later than the field</source>
+        <translation>die Anzeige kommt später als das Feld</translation>
+    </message>
+    <message>
+        <source>the reading is not proportional to the field</source>
+        <translation>die Anzeige ist dem Feld nicht proportional</translation>
+    </message>
+    <message>
+        <source>the offset changes with a recorded channel</source>
+        <translation>der Offset ändert sich mit einem aufgezeichneten Kanal</translation>
+    </message>
+    <message>
+        <source>the offset changes with a current</source>
+        <translation>der Offset ändert sich mit einem Strom</translation>
+    </message>
+    <message>
+        <source>the offset changes with the square of a current</source>
+        <translation>der Offset ändert sich mit dem Quadrat eines Stroms</translation>
+    </message>
+    <message>
+        <source>the offset drifts with time</source>
+        <translation>der Offset driftet mit der Zeit</translation>
+    </message>
+    <message>
+        <source>the offset differs between power modes</source>
+        <translation>der Offset ist in jeder Betriebsart anders</translation>
+    </message>
+    <message>
+        <source>the offset jumps at one moment</source>
+        <translation>der Offset springt zu einem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>the offset changes with temperature</source>
+        <translation>der Offset ändert sich mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>a periodic disturbance lies on the readings</source>
+        <translation>eine periodische Störung liegt auf der Anzeige</translation>
+    </message>
+    <message>
+        <source>the reference drifts with time</source>
+        <translation>die Referenz driftet mit der Zeit</translation>
+    </message>
+    <message>
+        <source>the reference changes with temperature</source>
+        <translation>die Referenz ändert sich mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>single readings lie far off</source>
+        <translation>einzelne Anzeigen liegen weit daneben</translation>
+    </message>
+    <message>
+        <source>readings are at the end of their range</source>
+        <translation>Anzeigen stehen am Ende ihres Bereichs</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -6737,10 +6841,6 @@ diesem Schritt …</translation>
         <translation>2  Was es ändert</translation>
     </message>
     <message>
-        <source>2  With {0}</source>
-        <translation>2  Mit {0}</translation>
-    </message>
-    <message>
         <source>Choose one to see what it alone would change.</source>
         <translation>Eine wählen zeigt, was sie allein ändern würde.</translation>
     </message>
@@ -6805,8 +6905,8 @@ diesem Schritt …</translation>
         <translation>Weggelegte Zeilen: {0} {1}</translation>
     </message>
     <message>
-        <source>{0} explains it about as well as {1}.</source>
-        <translation>{0} erklärt es etwa so gut wie {1}.</translation>
+        <source>“{0}” explains it about as well as “{1}”.</source>
+        <translation>„{0}“ erklärt es etwa so gut wie „{1}“.</translation>
     </message>
     <message>
         <source>Measured by the procedure {0}.</source>
@@ -6823,6 +6923,10 @@ diesem Schritt …</translation>
     <message>
         <source>Measure what is missing</source>
         <translation>Messen, was fehlt</translation>
+    </message>
+    <message>
+        <source>2  With “{0}”</source>
+        <translation>2  Mit „{0}“</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -9107,10 +9211,6 @@ diesem Schritt …</translation>
         <translation>Wie lange das dauert, sagt der Plan</translation>
     </message>
     <message>
-        <source>does about as well as {0}</source>
-        <translation>tut es etwa so gut wie {0}</translation>
-    </message>
-    <message>
         <source>With a key here: {0}.</source>
         <translation>Mit Schlüssel hier: {0}.</translation>
     </message>
@@ -9375,12 +9475,12 @@ diesem Schritt …</translation>
         <translation>Der Fehler hat eine Ursache: {0}. Sie steht im Entwurf, der unterschrieben werden darf.</translation>
     </message>
     <message>
-        <source>{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign.</source>
-        <translation>{0} ist ein Teil des Fehlers und steht im Entwurf; etwas anderes bleibt übrig: vor der Unterschrift 4 ansehen.</translation>
+        <source>A part of the error has a cause: {0}. It is in the draft; something else is left over: see 4 before you sign.</source>
+        <translation>Ein Teil des Fehlers hat eine Ursache: {0}. Sie steht im Entwurf; etwas anderes bleibt übrig: vor der Unterschrift 4 ansehen.</translation>
     </message>
     <message>
-        <source>{0} may be the cause, another one as well. Measure what tells them apart (4), then sign.</source>
-        <translation>{0} kann die Ursache sein, eine andere auch. Messen, was sie unterscheidet (4), dann unterschreiben.</translation>
+        <source>This may be the cause: {0}. Another one does as well: measure what tells them apart (4), then sign.</source>
+        <translation>Das kann die Ursache sein: {0}. Eine andere erklärt es ebenso gut: Messen, was sie unterscheidet (4), dann unterschreiben.</translation>
     </message>
     <message>
         <source>Something is wrong that nothing known explains. Do not sign: see 4.</source>
@@ -9409,6 +9509,10 @@ diesem Schritt …</translation>
     <message>
         <source>explains too little to be worth its parameters</source>
         <translation>erklärt zu wenig für seine Parameter</translation>
+    </message>
+    <message>
+        <source>in files and commands: {0}</source>
+        <translation>in Dateien und Befehlen: {0}</translation>
     </message>
     <message>
         <source>{0} and {1}</source>
@@ -9631,10 +9735,6 @@ diesem Schritt …</translation>
         <translation>Bei der Genehmigung wurde keiner angegeben, und es kann keiner mehr dazukommen.</translation>
     </message>
     <message>
-        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
-        <translation>MEHRDEUTIG: {0} ist vorläufig; auch {1} kann die Ursache sein.</translation>
-    </message>
-    <message>
         <source>another one</source>
         <translation>eine andere</translation>
     </message>
@@ -9661,6 +9761,10 @@ diesem Schritt …</translation>
     <message>
         <source>Handed out as {0}. Next: another DUT.</source>
         <translation>Ausgegeben als {0}. Als Nächstes: ein anderer Prüfling.</translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS, the cause is not certain: {0}. It may be another: {1}.</source>
+        <translation>MEHRDEUTIG, die Ursache ist nicht sicher: {0}. Es kann eine andere sein: {1}.</translation>
     </message>
     <message>
         <source>PROVISIONAL</source>
@@ -10243,6 +10347,10 @@ diesem Schritt …</translation>
         <translation>Grund</translation>
     </message>
     <message>
+        <source>in files</source>
+        <translation>in Dateien</translation>
+    </message>
+    <message>
         <source>✓ named</source>
         <translation>✓ benannt</translation>
     </message>
@@ -10261,6 +10369,10 @@ diesem Schritt …</translation>
     <message>
         <source>too little</source>
         <translation>zu wenig</translation>
+    </message>
+    <message>
+        <source>does about as well as “{0}”</source>
+        <translation>tut es etwa so gut wie „{0}“</translation>
     </message>
     <message>
         <source>no evidence</source>

@@ -412,6 +412,10 @@
         <translation>Si cela suffit pour la nommer ; – : c&apos;est pour une autre raison qu&apos;elle ne l&apos;est pas</translation>
     </message>
     <message>
+        <source>What files and commands call it</source>
+        <translation>Le nom qu&apos;il a dans les fichiers et les commandes</translation>
+    </message>
+    <message>
         <source>Candidates; choose one to see what it alone would change</source>
         <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
     </message>
@@ -5902,6 +5906,106 @@
         <source>no run goes on here that could be come back to</source>
         <translation>aucune mesure n&apos;est en cours ici, à laquelle revenir</translation>
     </message>
+    <message>
+        <source>the rotation axis is not where it was declared</source>
+        <translation>l&apos;axe de rotation n&apos;est pas là où il a été déclaré</translation>
+    </message>
+    <message>
+        <source>something at the cage or the table adds a field</source>
+        <translation>quelque chose sur la cage ou la table ajoute un champ</translation>
+    </message>
+    <message>
+        <source>the reading along one axis changes with the field across it</source>
+        <translation>la lecture d&apos;un axe change avec le champ en travers</translation>
+    </message>
+    <message>
+        <source>the reference sees the DUT&apos;s own magnetism</source>
+        <translation>la référence voit le magnétisme propre du DUT</translation>
+    </message>
+    <message>
+        <source>the offset follows what was recorded, for no known cause</source>
+        <translation>le décalage suit ce qui a été enregistré, sans cause connue</translation>
+    </message>
+    <message>
+        <source>the platform reads its angle wrong</source>
+        <translation>la plateforme lit mal son angle</translation>
+    </message>
+    <message>
+        <source>the DUT is off the cage&apos;s centre</source>
+        <translation>le DUT n&apos;est pas au centre de la cage</translation>
+    </message>
+    <message>
+        <source>the gain changes with a recorded channel</source>
+        <translation>le gain change avec une voie enregistrée</translation>
+    </message>
+    <message>
+        <source>the gain jumps at one moment</source>
+        <translation>le gain saute à un instant</translation>
+    </message>
+    <message>
+        <source>the gain changes with temperature</source>
+        <translation>le gain change avec la température</translation>
+    </message>
+    <message>
+        <source>magnetic parts remember earlier fields</source>
+        <translation>des pièces magnétiques gardent les champs passés</translation>
+    </message>
+    <message>
+        <source>the readings come later than the field</source>
+        <translation>les lectures viennent après le champ</translation>
+    </message>
+    <message>
+        <source>the reading is not proportional to the field</source>
+        <translation>la lecture n&apos;est pas proportionnelle au champ</translation>
+    </message>
+    <message>
+        <source>the offset changes with a recorded channel</source>
+        <translation>le décalage change avec une voie enregistrée</translation>
+    </message>
+    <message>
+        <source>the offset changes with a current</source>
+        <translation>le décalage change avec un courant</translation>
+    </message>
+    <message>
+        <source>the offset changes with the square of a current</source>
+        <translation>le décalage change avec le carré d&apos;un courant</translation>
+    </message>
+    <message>
+        <source>the offset drifts with time</source>
+        <translation>le décalage dérive avec le temps</translation>
+    </message>
+    <message>
+        <source>the offset differs between power modes</source>
+        <translation>le décalage diffère selon le mode d&apos;alimentation</translation>
+    </message>
+    <message>
+        <source>the offset jumps at one moment</source>
+        <translation>le décalage saute à un instant</translation>
+    </message>
+    <message>
+        <source>the offset changes with temperature</source>
+        <translation>le décalage change avec la température</translation>
+    </message>
+    <message>
+        <source>a periodic disturbance lies on the readings</source>
+        <translation>une perturbation périodique s&apos;ajoute aux lectures</translation>
+    </message>
+    <message>
+        <source>the reference drifts with time</source>
+        <translation>la référence dérive avec le temps</translation>
+    </message>
+    <message>
+        <source>the reference changes with temperature</source>
+        <translation>la référence change avec la température</translation>
+    </message>
+    <message>
+        <source>single readings lie far off</source>
+        <translation>des lectures isolées sont très loin</translation>
+    </message>
+    <message>
+        <source>readings are at the end of their range</source>
+        <translation>des lectures sont au bout de leur étendue</translation>
+    </message>
 </context>
 <context>
     <name>Drop</name>
@@ -6737,10 +6841,6 @@ cette étape …</translation>
         <translation>2  Ce que cela change</translation>
     </message>
     <message>
-        <source>2  With {0}</source>
-        <translation>2  Avec {0}</translation>
-    </message>
-    <message>
         <source>Choose one to see what it alone would change.</source>
         <translation>Choisissez-en une pour voir ce qu&apos;elle seule changerait.</translation>
     </message>
@@ -6805,8 +6905,8 @@ cette étape …</translation>
         <translation>Lignes écartées : {0} {1}</translation>
     </message>
     <message>
-        <source>{0} explains it about as well as {1}.</source>
-        <translation>{0} l&apos;explique à peu près aussi bien que {1}.</translation>
+        <source>“{0}” explains it about as well as “{1}”.</source>
+        <translation>« {0} » l&apos;explique à peu près aussi bien que « {1} ».</translation>
     </message>
     <message>
         <source>Measured by the procedure {0}.</source>
@@ -6823,6 +6923,10 @@ cette étape …</translation>
     <message>
         <source>Measure what is missing</source>
         <translation>Mesurer ce qui manque</translation>
+    </message>
+    <message>
+        <source>2  With “{0}”</source>
+        <translation>2  Avec « {0} »</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -9107,10 +9211,6 @@ cette étape …</translation>
         <translation>Le plan dit combien de temps cela prend</translation>
     </message>
     <message>
-        <source>does about as well as {0}</source>
-        <translation>fait à peu près aussi bien que {0}</translation>
-    </message>
-    <message>
         <source>With a key here: {0}.</source>
         <translation>Avec une clé ici : {0}.</translation>
     </message>
@@ -9375,12 +9475,12 @@ cette étape …</translation>
         <translation>L&apos;erreur a une cause : {0}. Elle est dans le projet, qui peut être signé.</translation>
     </message>
     <message>
-        <source>{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign.</source>
-        <translation>{0} est une part de l&apos;erreur et est dans le projet ; il reste autre chose : voir 4 avant de signer.</translation>
+        <source>A part of the error has a cause: {0}. It is in the draft; something else is left over: see 4 before you sign.</source>
+        <translation>Une part de l&apos;erreur a une cause : {0}. Elle est dans le projet ; il reste autre chose : voir 4 avant de signer.</translation>
     </message>
     <message>
-        <source>{0} may be the cause, another one as well. Measure what tells them apart (4), then sign.</source>
-        <translation>{0} peut être la cause, une autre aussi. Mesurez ce qui les distingue (4), puis signez.</translation>
+        <source>This may be the cause: {0}. Another one does as well: measure what tells them apart (4), then sign.</source>
+        <translation>Ceci peut être la cause : {0}. Une autre convient aussi : mesurez ce qui les distingue (4), puis signez.</translation>
     </message>
     <message>
         <source>Something is wrong that nothing known explains. Do not sign: see 4.</source>
@@ -9409,6 +9509,10 @@ cette étape …</translation>
     <message>
         <source>explains too little to be worth its parameters</source>
         <translation>explique trop peu pour ses paramètres</translation>
+    </message>
+    <message>
+        <source>in files and commands: {0}</source>
+        <translation>dans les fichiers et les commandes : {0}</translation>
     </message>
     <message>
         <source>{0} and {1}</source>
@@ -9631,10 +9735,6 @@ cette étape …</translation>
         <translation>Aucun ne l’était lors de l’approbation, et aucun ne peut plus être ajouté.</translation>
     </message>
     <message>
-        <source>AMBIGUOUS: {0} is provisional; {1} may be the cause as well.</source>
-        <translation>AMBIGU : {0} est provisoire ; {1} peut aussi être la cause.</translation>
-    </message>
-    <message>
         <source>another one</source>
         <translation>une autre</translation>
     </message>
@@ -9661,6 +9761,10 @@ cette étape …</translation>
     <message>
         <source>Handed out as {0}. Next: another DUT.</source>
         <translation>Remis comme {0}. Ensuite : un autre DUT.</translation>
+    </message>
+    <message>
+        <source>AMBIGUOUS, the cause is not certain: {0}. It may be another: {1}.</source>
+        <translation>AMBIGU, la cause n&apos;est pas sûre : {0}. Il peut y en avoir une autre : {1}.</translation>
     </message>
     <message>
         <source>PROVISIONAL</source>
@@ -10243,6 +10347,10 @@ cette étape …</translation>
         <translation>raison</translation>
     </message>
     <message>
+        <source>in files</source>
+        <translation>dans les fichiers</translation>
+    </message>
+    <message>
         <source>✓ named</source>
         <translation>✓ nommée</translation>
     </message>
@@ -10261,6 +10369,10 @@ cette étape …</translation>
     <message>
         <source>too little</source>
         <translation>trop peu</translation>
+    </message>
+    <message>
+        <source>does about as well as “{0}”</source>
+        <translation>fait à peu près aussi bien que « {0} »</translation>
     </message>
     <message>
         <source>no evidence</source>

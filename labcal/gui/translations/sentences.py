@@ -13,6 +13,7 @@ from functools import cache, lru_cache
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QLocale
 
 from labcal.bench.coils.state import BY_SUPPLIES, BY_WORD
+from labcal.gui.translations.causes import PHRASES
 from labcal.gui.translations.experiments import EXPERIMENTS, NEXT
 from labcal.gui.translations.faults import FAULTS
 from labcal.gui.translations.fits import BUDGET, FITS
@@ -188,7 +189,7 @@ MEASURED = re.compile(r"(?<![\w.:])-?\d+\.\d+(?= (?:A|nT|µT|mm|s|deg|V)\b)")
 BELOW_ZERO = re.compile(r"(?<= )-(?=\d)")  # the sign of a number that has no unit of its own, as in a row of them
 FIGURE = re.compile(r"(offset|scale|non-orthogonality|gain) ([xyz](?:-[xyz])?)")  # of a sensor, as results name it
 OF_PROCEDURES = *EXPECTED, *TITLES, *NEEDS, *SHORTFALLS, *NAMES, *SETTINGS, *PLAN, *EVENTS, *REFUSALS, *BENCH
-OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *FITS
+OF_RUNS = *PROGRESS, *REASONS, *SHAPES, *FINDINGS, *NEXT, *EXPERIMENTS, *PHRASES, *FITS
 OF_LAB = *LAB_FAULTS, *OF_THE_WORK
 FORMS = tuple(map(str, (*COILS, *CHANGES, *QUESTIONS, *FAULTS, *OF_PROCEDURES, *OF_RUNS, *OF_LAB)))
 NAME_FORMS = tuple(map(str, (*BUDGET, *MEASUREMENTS, *STEPS)))

@@ -215,7 +215,6 @@ TEXTS = (  # of tables, headings and functions: lupdate reads them here
     QT_TRANSLATE_NOOP("Words", "Needs: {0}"),
     QT_TRANSLATE_NOOP("Words", "About {0:g} min of measuring, and your own time beside it"),
     QT_TRANSLATE_NOOP("Words", "The plan says how long this takes"),
-    QT_TRANSLATE_NOOP("Words", "does about as well as {0}"),
     QT_TRANSLATE_NOOP("Words", "the operator"),
     QT_TRANSLATE_NOOP("Words", "With a key here: {0}."),
     QT_TRANSLATE_NOOP("Words", "Whoever signed has a key elsewhere."),

@@ -10,9 +10,9 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure
 from labcal.gui.translations.sentences import in_words, name_in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.cause_words import in_plain_words
 from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
-from labcal.gui.viewmodels.study import cause_name
 
 SHORT = QT_TRANSLATE_NOOP(
     "Words",
@@ -63,7 +63,7 @@ def map_rows(one: CalibrationFile) -> list[list[Cell]]:
 
 def cause_rows(one: CalibrationFile) -> list[list[Cell]]:
     """A row for each parameter of what is corrected, or found, beside the map."""
-    named = ((cause_name(effect.effect, effect.channels), effect) for effect in (*one.effects, *one.findings))
+    named = ((in_plain_words(effect, one.phrases), effect) for effect in (*one.effects, *one.findings))
     return [_parameter(f"{name} {p.name}", p.value, p.u, p.unit) for name, effect in named for p in effect.parameters]
 
 

@@ -6,10 +6,10 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.calibration_rows import method_words
+from labcal.gui.viewmodels.cause_words import with_id
 from labcal.gui.viewmodels.loop_words import verdict_word
 from labcal.gui.viewmodels.number_format import format_number
 from labcal.gui.viewmodels.path import PathViewModel
-from labcal.gui.viewmodels.study import cause_name
 
 KEPT = QT_TRANSLATE_NOOP("Words", "Kept of this run: {0}")
 LEFT = QT_TRANSLATE_NOOP("Words", "{0} → {1} nT rms of the vector, noise alone {2} nT rms")
@@ -26,7 +26,7 @@ def kept_words(path: PathViewModel, run_id: str) -> str:
         before, after, noise = (format_number(value, signed=False) for value in line.left_nT)
         parts.append(translated(str(LEFT)).format(before, after, noise))
     if file is not None:
-        parts += [cause_name(effect.effect, effect.channels) for effect in file.effects]
+        parts += [with_id(effect, file.phrases) for effect in file.effects]
         offsets = " ".join(format_number(value) for value in file.k_nT)
         parts.append(translated(str(OFFSETS)).format(offsets, method_words(file) or "–"))
         parts.append(path.stands(run_id))

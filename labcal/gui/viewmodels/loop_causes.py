@@ -12,20 +12,20 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.gui.ipc.answers import Loop
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.cause_words import Cause, id_beside, in_plain_words
 from labcal.gui.viewmodels.loop_words import as_a_drop, plain_reason
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.viewmodels.study import cause_name
 from labcal.model.records import EffectRecord, Rival
 
-Cause = EffectRecord | Rival
 HEADINGS = (
     QT_TRANSLATE_NOOP("Words", "cause"),
     QT_TRANSLATE_NOOP("Words", "takes off  nT"),
     QT_TRANSLATE_NOOP("Words", "evidence"),
     QT_TRANSLATE_NOOP("Words", "verdict"),
     QT_TRANSLATE_NOOP("Words", "reason"),
+    QT_TRANSLATE_NOOP("Words", "in files"),
 )
-CAUSE, TAKES_OFF, EVIDENCE, VERDICT, REASON = range(len(HEADINGS))
+CAUSE, TAKES_OFF, EVIDENCE, VERDICT, REASON, ID = range(len(HEADINGS))
 STANDINGS: dict[str, tuple[object, str]] = {  # how it stands, and in which colour of the theme; the first stand first
     "accepted": (QT_TRANSLATE_NOOP("Words", "✓ named"), "good"),
     "rival": (QT_TRANSLATE_NOOP("Words", "? rival"), "warning"),
@@ -34,6 +34,7 @@ STANDINGS: dict[str, tuple[object, str]] = {  # how it stands, and in which colo
 NATS = re.compile(r"(−?[\d.]+) nats, (\d+) needed")
 ENOUGH = QT_TRANSLATE_NOOP("Words", "enough")
 TOO_LITTLE = QT_TRANSLATE_NOOP("Words", "too little")
+AS_WELL = QT_TRANSLATE_NOOP("Words", "does about as well as “{0}”")
 NONE = QT_TRANSLATE_NOOP("Words", "no evidence")
 
 
@@ -42,6 +43,8 @@ class CauseRow(NamedTuple):
 
     standing: str
     cause: Cause
+    words: str  # what happens, plainly
+    id: str  # beside these; "" where it stands in their place
     why: str  # whole, with its figures
     reason: str  # for who stands at the cage
     takes_off_nT: float | None  # of the held-out rms, beside declared errors
@@ -51,7 +54,8 @@ class CauseRow(NamedTuple):
     def cells(self) -> tuple[str, ...]:
         """In the order of the headings."""
         off = "–" if self.takes_off_nT is None else format_number(self.takes_off_nT, signed=False)
-        return cause(self.cause), off, self.evidence, translated(str(STANDINGS[self.standing][0])), self.reason
+        standing = translated(str(STANDINGS[self.standing][0]))
+        return self.words, off, self.evidence, standing, self.reason, self.id
 
     @property
     def evidence(self) -> str:
@@ -71,27 +75,30 @@ class CauseRow(NamedTuple):
         return figures.get(column, 0.0), "" if column in figures else self.cells[column]
 
 
-def cause(effect: Cause) -> str:
-    """An effect and its channels: "offset-current (i_radio)"."""
-    return cause_name(effect.effect, effect.channels)
-
-
 def candidates(loop: Loop, said: Callable[[str], str] = str) -> list[tuple[str, Cause, str]]:
     """Every cause there was: its standing, itself, and why, as it is `said`; the named ones first."""
     found: list[tuple[str, Cause, str]] = [
         ("accepted", effect, in_words(as_a_drop(said(effect.why)))) for effect in loop.accepted
     ]
     for effect in loop.accepted:
-        found += [
-            ("rival", rival, translated("does about as well as {0}").format(cause(effect))) for rival in effect.rivals
-        ]
+        as_well = translated(str(AS_WELL)).format(in_plain_words(effect, loop.phrases))
+        found += [("rival", rival, as_well) for rival in effect.rivals]
     return found + [("rejected", effect, in_words(said(effect.why))) for effect in loop.rejected]
 
 
 def cause_rows(loop: Loop) -> list[CauseRow]:
     """A row for each of the candidates, in their order."""
     return [
-        CauseRow(standing, effect, why, reason, _takes_off(loop, effect), _nats(effect))
+        CauseRow(
+            standing,
+            effect,
+            in_plain_words(effect, loop.phrases),
+            id_beside(effect, loop.phrases),
+            why,
+            reason,
+            _takes_off(loop, effect),
+            _nats(effect),
+        )
         for (standing, effect, why), (*_, reason) in zip(candidates(loop), candidates(loop, plain_reason), strict=True)
     ]
 

@@ -8,8 +8,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Loop
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.cause_words import ids_beside, in_plain_words
 from labcal.gui.viewmodels.number_format import format_number
-from labcal.gui.viewmodels.study import cause_name
 
 VERDICTS = {  # with its colour
     "clean": ("✓ CLEAN", "good"),
@@ -22,10 +22,11 @@ MEANS = {
     "clean": QT_TRANSLATE_NOOP("Words", "Nothing is left over but noise. The calibration may be signed."),
     "explained": QT_TRANSLATE_NOOP("Words", "The error has a cause: {0}. It is in the draft, which may be signed."),
     "partly-explained": QT_TRANSLATE_NOOP(
-        "Words", "{0} is a part of the error and is in the draft; something else is left over: see 4 before you sign."
+        "Words",
+        "A part of the error has a cause: {0}. It is in the draft; something else is left over: see 4 before you sign.",
     ),
     "ambiguous": QT_TRANSLATE_NOOP(
-        "Words", "{0} may be the cause, another one as well. Measure what tells them apart (4), then sign."
+        "Words", "This may be the cause: {0}. Another one does as well: measure what tells them apart (4), then sign."
     ),
     "unexplained": QT_TRANSLATE_NOOP("Words", "Something is wrong that nothing known explains. Do not sign: see 4."),
 }
@@ -53,6 +54,7 @@ NOT_NAMED = {
     re.compile(r"takes .* off the residual: not worth its parameters"): str(TOO_LITTLE),
 }
 FALLS = re.compile(r"the held-out rms falls from ([\d.]+) to ([\d.]+) nT")
+CALLED = QT_TRANSLATE_NOOP("Words", "in files and commands: {0}")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "{0} and {1}"),
     QT_TRANSLATE_NOOP("Words", "rows that were set aside"),
@@ -111,8 +113,14 @@ def said_plainly(loop: Loop) -> str:
     """One sentence or two for the technician, without a figure."""
     if not_determined(loop):
         return translated(str(NOT_DETERMINED[1]))
-    names = [cause_name(effect.effect, effect.channels) for effect in loop.accepted]
+    names = [in_plain_words(effect, loop.phrases) for effect in loop.accepted]
     named = names[0] if len(names) == 1 else translated("rows that were set aside")
     if len(names) > 1:
         named = translated("{0} and {1}").format(", ".join(names[:-1]), names[-1])
     return translated(str(MEANS[loop.verdict])).format(named)
+
+
+def called(loop: Loop) -> str:
+    """What files and commands call the causes that it names in plain words; "" where there are none."""
+    ids = ids_beside(loop.accepted, loop.phrases)
+    return translated(str(CALLED)).format(ids) if ids else ""

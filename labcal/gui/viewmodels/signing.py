@@ -9,8 +9,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import CalibrationFile, Standing
 from labcal.gui.translations.translate import translated
+from labcal.gui.viewmodels.cause_words import in_plain_words
 from labcal.gui.viewmodels.loop_words import verdict_word
-from labcal.gui.viewmodels.study import cause_name
 from labcal.model.records import EffectRecord
 from labcal.record.person import perhaps_one_person
 
@@ -40,7 +40,7 @@ WHO_STATES = QT_TRANSLATE_NOOP(
 )
 AS_IT_WAS = QT_TRANSLATE_NOOP("Words", "So it was stated when it was approved.")
 NONE_WAS = QT_TRANSLATE_NOOP("Words", "None was when it was approved, and none can be added any more.")
-AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS: {0} is provisional; {1} may be the cause as well.")
+AMBIGUOUS = QT_TRANSLATE_NOOP("Words", "AMBIGUOUS, the cause is not certain: {0}. It may be another: {1}.")
 ANOTHER = QT_TRANSLATE_NOOP("Words", "another one")
 NEXT_DUT = QT_TRANSLATE_NOOP("Words", "Handed out. Next: another DUT.")
 UNEXPLAINED = QT_TRANSLATE_NOOP(
@@ -70,7 +70,7 @@ def state_of(one: Standing) -> str:
 def doubts(one: CalibrationFile) -> str:
     """Why who signs has to think: what else may be the cause, what has none, what was not measured; "" else."""
     words = translated(str(AMBIGUOUS))
-    said = [words.format(cause_name(d.effect, d.channels), _others(d)) for d in _provisional(one)]
+    said = [words.format(in_plain_words(d, one.phrases), _others(d, one)) for d in _provisional(one)]
     said += [translated(str(UNEXPLAINED))] if one.unexplained else []
     said += [translated(str(HELD)).format(", ".join(one.not_measured))] if one.not_measured else []
     return " ".join(said)
@@ -80,8 +80,8 @@ def _provisional(one: CalibrationFile) -> list[EffectRecord]:
     return [effect for effect in (*one.effects, *one.findings) if effect.provisional]
 
 
-def _others(doubted: EffectRecord) -> str:
-    named = ", ".join(cause_name(rival.effect, rival.channels) for rival in doubted.rivals)
+def _others(doubted: EffectRecord, one: CalibrationFile) -> str:
+    named = ", ".join(in_plain_words(rival, one.phrases) for rival in doubted.rivals)
     return named or translated(str(ANOTHER))
 
 

@@ -33,6 +33,14 @@ class Studied:
     pace: TracePace = field(default_factory=TracePace)
     worker: Worker | None = None
 
+    def take_look(self, look: Look) -> None:
+        """The run as it was recorded, and what was worked out of it before and is not being worked out again."""
+        self.look = look
+        for method, fitted in look.fits.items():
+            self.fits.setdefault(method, fitted)
+        if self.loop is None and not self.traces:
+            self.loop = look.loop
+
     @property
     def busy(self) -> bool:
         """Whether a worker has something to do for it."""

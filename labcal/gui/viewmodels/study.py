@@ -106,7 +106,7 @@ class StudyViewModel(QObject):
         kept = self._kept.get(run)
         self.shown = kept if kept is not None and (kept.look is not None or kept.busy) else self._new(run)
         if self.look is None and not self.busy:
-            self._ask("look", LookAt(run), partial(setattr, self.shown, "look"))
+            self._ask("look", LookAt(run), self.shown.take_look)
             if not self.methods:
                 self._ask("methods", ListMethods(), self._methods_known)
         self.changed.emit()

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 
 from labcal.gui.ipc.answers import Loop
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.loop_causes import (
     EVIDENCE,
     HEADINGS,
+    ID,
     REASON,
     STANDINGS,
     TAKES_OFF,
@@ -19,6 +20,7 @@ from labcal.gui.viewmodels.loop_causes import (
 )
 from labcal.gui.widgets.sorted_table import SortedTable
 
+SMALL = 0.85  # of letters beside others
 MOST_ROWS, LEAST_ROWS = 7, 4  # that are seen at once; the others roll
 
 
@@ -36,7 +38,8 @@ class CausesTable(SortedTable):
         self.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.show_rows(MOST_ROWS, LEAST_ROWS)
         self.right_heading(TAKES_OFF)
-        self.horizontalHeader().moveSection(VERDICT, 1)  # where a narrow window shows it
+        self.horizontalHeader().moveSection(VERDICT, 0)  # where a narrow window shows it
+        self.horizontalHeader().moveSection(ID, 2)  # beside the cause
         self.show_order(*self._order[:1], falling=False)
         self.sort_wanted.connect(self.sort_by)
         self.explain_heading(
@@ -45,6 +48,7 @@ class CausesTable(SortedTable):
         self.explain_heading(
             EVIDENCE, self.tr("Whether it is enough for a name; –: it is for another reason that it is not named")
         )
+        self.explain_heading(ID, self.tr("What files and commands call it"))
         self.setAccessibleName(self.tr("Candidates; choose one to see what it alone would change"))
 
     def show_loop(self, loop: Loop, theme: Theme) -> None:
@@ -52,6 +56,12 @@ class CausesTable(SortedTable):
         self._theme = theme
         self._rows = cause_rows(loop)
         self._fill()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Letters of another size: the small ones too."""
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._make_small()
 
     def sort_by(self, column: int) -> None:
         """By this column, figures from the largest; a second time turns the order round."""
@@ -72,6 +82,8 @@ class CausesTable(SortedTable):
         self.setRowCount(len(self._rows))
         for at, row in enumerate(self._rows):
             self._show_row(at, row)
+        self._make_small()
+        self.setColumnHidden(ID, not any(row.id for row in self._rows))
         there = [row.cause for row in self._rows]
         with QSignalBlocker(self):
             if kept in there:
@@ -81,6 +93,15 @@ class CausesTable(SortedTable):
 
     def _show_row(self, at: int, row: CauseRow) -> None:
         for column, text in enumerate(row.cells):
-            ink = getattr(self._theme, STANDINGS[row.standing][1] if column == VERDICT else "text")
-            tip = row.why if column == REASON else ""
+            inks = {VERDICT: STANDINGS[row.standing][1], ID: "muted"}
+            ink = getattr(self._theme, inks.get(column, "text"))
+            tip = "" if column != REASON else row.why if text in row.why else f"{text}\n{row.why}"
             self.set_cell(at, column, text, right=column == TAKES_OFF, colour=ink, tip=tip)
+
+    def _make_small(self) -> None:
+        """The ids, which are of files and not of whoever looks for the cause."""
+        font = self.font()
+        font.setPixelSize(max(1, round(SMALL * self.fontInfo().pixelSize())))
+        for row in range(self.rowCount()):
+            if (cell := self.item(row, ID)) is not None and cell.font() != font:
+                cell.setFont(font)

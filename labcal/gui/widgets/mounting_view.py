@@ -14,9 +14,9 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPainterPath, 
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from labcal.geometry import rotate, unit
-from labcal.gui.theming.theme import Theme
+from labcal.gui.theming.theme import SMALL, TEXT, Theme
 from labcal.gui.translations.translate import translated
-from labcal.gui.widgets.placed_names import Tip, placed
+from labcal.gui.widgets.placed_names import Tip, near, placed
 
 Array = NDArray[np.float64]
 TURN, TILT = radians(25), radians(24)  # of the eye, about the vertical and above the horizon
@@ -26,6 +26,7 @@ TOWARD = np.cross(RIGHT, UP)
 BOX = np.array([0.46, 0.36, 0.28])  # half sizes along body x, y, z
 WIDE, ABOVE, BELOW_IT = 3.0, 1.7, 0.9  # that the drawing has, in radii of the platform; and above and below its centre
 EDGE_PX = 2.0
+SMALL_LETTERS = SMALL / TEXT  # as captions have them
 BELOW = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop | Qt.TextFlag.TextWordWrap
 FACES = [(axis, sign) for axis in range(3) for sign in (-1, 1)]
 
@@ -188,21 +189,25 @@ class Mounting(QWidget):
         if name:
             self._wanted.append((b, angle, name, colour))
 
-    def _font(self, name: str) -> QFont:
+    def _font(self, name: str, scale: float = 1.0) -> QFont:
         font = QFont(self.font())
+        font.setPointSizeF(scale * self.font().pointSizeF())
         font.setBold(name.startswith(translated("body {0}").format("")))
         return font
 
     def _paint_names(self, painter: QPainter) -> None:
         """Those of the body's axes first: they are what is looked for."""
         wanted = sorted(self._wanted, key=lambda one: not self._font(one[2]).bold())
-        sizes = [QFontMetricsF(self._font(name)).size(0, name) for _, _, name, _ in wanted]
-        tips = [Tip(tip, angle, size) for (tip, angle, _, _), size in zip(wanted, sizes, strict=True)]
         within = QRectF(EDGE_PX, 0.0, self.width() - 2 * EDGE_PX, self.words_top())
-        places = placed(tips, self._lines, within)
+        for scale in (1.0, SMALL_LETTERS):  # in a small drawing names of the usual size stand on its lines
+            fonts = [self._font(name, scale) for _, _, name, _ in wanted]
+            sizes = [QFontMetricsF(font).size(0, name) for font, (_, _, name, _) in zip(fonts, wanted, strict=True)]
+            tips = [Tip(tip, angle, size) for (tip, angle, _, _), size in zip(wanted, sizes, strict=True)]
+            places = placed(tips, self._lines, within)
+            if near(tips, places):
+                break
         self.names = {name: place for (_, _, name, _), place in zip(wanted, places, strict=True)}
-        for (_, _, name, colour), place in zip(wanted, places, strict=True):
-            font = self._font(name)
+        for (_, _, name, colour), font, place in zip(wanted, fonts, places, strict=True):
             letters = QPainterPath()
             letters.addText(QPointF(place.left(), place.top() + QFontMetricsF(font).ascent()), font, name)
             painter.strokePath(letters, QPen(QColor(self._theme.surface), 4.0))  # no line runs through them

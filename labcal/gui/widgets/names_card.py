@@ -55,7 +55,7 @@ class NamesCard(Card):
         self.body.addLayout(row)
         for column, share in enumerate(SHARES):
             self._grid.setColumnStretch(column, share)
-        self._grid.addWidget(self.keep, 0, len(SHARES), 2, 1, Qt.AlignmentFlag.AlignBottom)
+        self._grid.addWidget(self.keep, 0, len(SHARES), 2, 1, Qt.AlignmentFlag.AlignVCenter)
         self.body.addLayout(self._grid)
         self.body.addWidget(self.wrong)
         for field in (*self.laboratory, *self.customer):
@@ -110,6 +110,7 @@ class NamesCard(Card):
         self.stated.setText(
             "   ".join(words for words, who in zip(stated, (said.laboratory, said.customer), strict=True) if who)
         )
+        self.stated.setVisible(bool(self.stated.text()))  # no empty line above the fields
         for fields, who in ((self.laboratory, said.laboratory), (self.customer, said.customer)):
             for field in fields:
                 field.setVisible(not who or self._changes)

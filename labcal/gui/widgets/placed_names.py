@@ -39,6 +39,19 @@ def placed(tips: Sequence[Tip], lines: Sequence[QLineF], within: QRectF) -> list
     return found
 
 
+def near(tips: Sequence[Tip], places: Sequence[QRectF]) -> bool:
+    """Whether each name stands nearer to its own tip than to any other, and has not had to go far from it."""
+    far = AWAY_PX[1]
+    apart = [[_apart(place, tip.at) for tip in tips] for place in places]
+    return all(min(row) == row[n] <= far for n, row in enumerate(apart))
+
+
+def _apart(place: QRectF, point: QPointF) -> float:
+    aside = max(place.left() - point.x(), 0.0, point.x() - place.right())
+    above = max(place.top() - point.y(), 0.0, point.y() - place.bottom())
+    return float(np.hypot(aside, above))
+
+
 def _at(tip: Tip, away: float, aside: float, within: QRectF) -> QRectF:
     along, width, height = tip.angle + aside, tip.size.width(), tip.size.height()
     x = tip.at.x() + away * cos(along) - width * (1 - cos(along)) / 2

@@ -30,9 +30,10 @@ class SortedTable(Table):
         described(shortcut, words)
 
     def _column_beside(self, steps: int) -> int:
-        """The one that stands `steps` right of the one that it is sorted by; behind the last comes the first."""
+        """The one in sight `steps` right of the one that it is sorted by; behind the last comes the first."""
         header = self.horizontalHeader()
-        return header.logicalIndex((header.visualIndex(header.sortIndicatorSection()) + steps) % header.count())
+        seen = [one for one in map(header.logicalIndex, range(header.count())) if not header.isSectionHidden(one)]
+        return seen[(seen.index(header.sortIndicatorSection()) + steps) % len(seen)]
 
     def show_order(self, column: int, *, falling: bool) -> None:
         """Mark the column that it is sorted by."""

@@ -35,3 +35,15 @@ class UncutCard(Card):
             least = layout.totalMinimumHeightForWidth(self.width())
             self.setMinimumHeight(max(0, least))  # where nothing is wrapped Qt says -1
         return done
+
+
+class SharedCard(UncutCard):
+    """One that shares the height of a page with others: it is never laid lower than its least, nor over the next.
+
+    Where heights follow widths Qt asks each part for all it would like, and takes what there is not from the largest,
+    whatever its least is. This one has seen to its own.
+    """
+
+    def hasHeightForWidth(self) -> bool:
+        """Its least height is its own, of the width that it has."""
+        return False

@@ -7,7 +7,16 @@ its `Kind` how it is searched. A `Family` is all that is known about one effect 
 """
 
 from labcal.model.effects.protocol import Confounded, Family, Fitted
-from labcal.model.effects.registry import families, family, find, load, load_shipped, of_temperature
+from labcal.model.effects.registry import (
+    families,
+    family,
+    find,
+    load,
+    load_shipped,
+    of_temperature,
+    phrases,
+    plainly,
+)
 from labcal.model.effects.scene import Scene
 from labcal.model.effects.shape import (
     ANGLE,
@@ -57,4 +66,6 @@ __all__ = [
     "load",
     "load_shipped",
     "of_temperature",
+    "phrases",
+    "plainly",
 ]

@@ -134,6 +134,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="the rotation axis is not where it was declared",
     shapes=(STEP,),
     experiment="mount the device turned by 180° about the platform axis and repeat",
     confounded=(LAG_OR_TILT, TILT_OR_GRADIENT),

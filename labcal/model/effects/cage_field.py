@@ -181,6 +181,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="something at the cage or the table adds a field",
     shapes=(STEP, *(_zero(number) for number in range(2, MOST_MOUNTINGS + 1))),
     experiment="repeat with the coils at zero, and with the reference turned by 180°",
     responds={"bare platform": 1.0},

@@ -59,6 +59,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the reading along one axis changes with the field across it",
     experiment="hold the field along one axis and step it along another",
     of_field=True,
     in_c=in_c,

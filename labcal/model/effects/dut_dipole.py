@@ -63,6 +63,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="the reference sees the DUT's own magnetism",
     shapes=AT,
     experiment="repeat with the reference at twice the distance",
     responds={"move reference": 0.125},

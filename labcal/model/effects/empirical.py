@@ -56,6 +56,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset follows what was recorded, for no known cause",
     generic=True,
     experiment="hold all else and move its input up and down through its range, twice",
     reach_s=reach_s,

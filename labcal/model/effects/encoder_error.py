@@ -58,6 +58,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="the platform reads its angle wrong",
     experiment="turn the device by 90° on the platform and repeat: what the platform reads wrong stays at its angles",
     confounded=(ERROR_OR_FIELD,),
     drawn_against="angle",

@@ -142,6 +142,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="the DUT is off the cage's centre",
     shapes=(LON, LAT, HIGH),
     experiment="move the device by 5 cm and repeat one segment",
     responds={"move device": 2.0},

@@ -36,6 +36,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the gain changes with a recorded channel",
     of_field=True,
     generic=True,
     experiment="step the quantity that the channel measures in a large field and again in a small one",

@@ -31,6 +31,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the gain jumps at one moment",
     shapes=(STEP,),
     of_field=True,
     experiment="switch the device off and on, and repeat the segments before and after in the same field",

@@ -54,6 +54,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the gain changes with temperature",
     shapes=(BEHIND, WITHIN),
     of_field=True,
     experiment="warm the sensor in a large field and again in a small one",

@@ -369,6 +369,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="magnetic parts remember earlier fields",
     shapes=(STOP, WIDTH, SATURATION, SPREAD, MIDDLES, CORE, PIN, LON, LAT, KEPT, ON_CURVE, BEGINS, ALONE),
     of_field=True,
     follows_reference=True,

@@ -112,6 +112,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the readings come later than the field",
     shapes=(OVER, DRIFTS, FROM, EITHER_WAY),
     from_vectors=True,
     experiment="turn faster, and backwards: a lag grows with the rate and changes sign with it",

@@ -87,6 +87,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the reading is not proportional to the field",
     shapes=(SATURATION,),
     of_field=True,
     in_c=in_c,

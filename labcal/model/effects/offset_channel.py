@@ -38,6 +38,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset changes with a recorded channel",
     shapes=(LATE,),
     generic=True,
     experiment="hold the attitude and step the quantity that the channel measures",

@@ -72,6 +72,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset changes with a current",
     shapes=(BEHIND, LATE, OFF, WITHIN),
     adds_up=True,
     related=("offset-current-squared",),

@@ -66,6 +66,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset changes with the square of a current",
     shapes=(BEHIND, LATE),
     second_order=True,
     related=("offset-current",),

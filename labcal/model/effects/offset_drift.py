@@ -66,6 +66,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset drifts with time",
     shapes=(FROM, OVER, SETTLES),
     experiment="repeat the first segment at the end, and again after a pause",
     responds={"heat": 1.0},

@@ -50,6 +50,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset differs between power modes",
     experiment="hold the attitude and switch between the power modes",
     responds={"load": 1.0},
     modes=own_modes,

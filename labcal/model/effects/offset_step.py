@@ -24,6 +24,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset jumps at one moment",
     shapes=(STEP,),
     repeats=True,
     experiment="repeat the segments before and after the step",

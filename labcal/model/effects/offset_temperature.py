@@ -158,6 +158,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="the offset changes with temperature",
     shapes=(BEHIND, LATE, TURNS, OFF, WITHIN),
     adds_up=True,
     time_constants=time_constants,

@@ -50,6 +50,7 @@ FAMILY = Family(
     "sensor",
     kernel,
     candidates,
+    phrase="a periodic disturbance lies on the readings",
     shapes=(LINE,),
     repeats=True,
     harmonics=True,

@@ -85,6 +85,8 @@ class Family:
     candidates: Callable[[Run], Sequence[Term]]
     shapes: tuple[Shape, ...] = ()  # the parameters that do not enter linearly; values and grids are the candidates'
 
+    phrase: str = ""  # what happens, for a technician: "the gain changes with temperature"; empty: its id stands for it
+
     # What the decision has to know
     of_field: bool = False  # grows with the field itself: a gain that the run does not determine looks alike
     follows_reference: bool = False  # a sensor's, driven by the reference where that is a vector, as all of the rig's
@@ -132,6 +134,10 @@ class Family:
     def owner(self, term: Term) -> Owner:
         """Whose this form of it is."""
         return "rig" if self.rig_form(term) else self.belongs_to
+
+    def plainly(self) -> str:
+        """What happens, in plain words; its id where its author has given none."""
+        return self.phrase or self.id
 
     def found_by(self, search: FoundBy) -> bool:
         """Whether this search finds one of its parameters."""

@@ -41,6 +41,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="the reference drifts with time",
     shapes=(FROM,),
     extends=("cage-field",),
     experiment="compare the reference with a second one before and after",

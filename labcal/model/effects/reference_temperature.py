@@ -89,6 +89,7 @@ FAMILY = Family(
     "rig",
     kernel,
     candidates,
+    phrase="the reference changes with temperature",
     shapes=(BEHIND, RIGHT),
     extends=("cage-field",),
     of_field=True,

@@ -52,6 +52,16 @@ def find(effect_id: str) -> Family | None:
     return next((family for family in families() if family.id == effect_id), None)
 
 
+def phrases() -> dict[str, str]:
+    """What happens by each family, in plain words, by its id."""
+    return {family.id: family.plainly() for family in families()}
+
+
+def plainly(effect_id: str) -> str:
+    """The same of one; the id itself where no installed package has it."""
+    return phrases().get(effect_id, effect_id)
+
+
 def of_temperature(record: EffectRecord) -> bool:
     """Whether the effect follows a temperature."""
     kind = find(record.effect)

@@ -46,5 +46,19 @@ def limits_of(findings: Sequence[EffectRecord]) -> list[tuple[int, str, float]]:
     return [(a, sign, limits[name]) for a, side, sign in ends if (name := f"{side}_{'xyz'[a]}") in limits]
 
 
-OUTLIERS = Family("outliers", "data", nothing, no_candidates, experiment="repeat the segment and look at the link")
-SATURATION = Family("saturation", "data", nothing, no_candidates, experiment="repeat at half the field")
+OUTLIERS = Family(
+    "outliers",
+    "data",
+    nothing,
+    no_candidates,
+    phrase="single readings lie far off",
+    experiment="repeat the segment and look at the link",
+)
+SATURATION = Family(
+    "saturation",
+    "data",
+    nothing,
+    no_candidates,
+    phrase="readings are at the end of their range",
+    experiment="repeat at half the field",
+)
