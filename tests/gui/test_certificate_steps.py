@@ -36,12 +36,22 @@ STATES = {  # file, who has a key, handed out: how key, approve, sign and hand o
 ALWAYS = ("nobody has a key", "somebody else as well", "approved", "released", "not valid")  # each button, and none
 
 
+def certificate_page(window):
+    window.resize(1360, 860)
+    window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    window.open_page("Certificate")
+    return window.page("Certificate")
+
+
 @pytest.fixture
-def page(new_window):
-    new_window.resize(1360, 860)
-    new_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
-    new_window.open_page("Certificate")
-    return new_window.page("Certificate")
+def page(same_window):
+    return certificate_page(same_window)
+
+
+@pytest.fixture
+def new_page(new_window):
+    """Where what was typed before would count."""
+    return certificate_page(new_window)
 
 
 def settle():
@@ -107,7 +117,8 @@ def test_what_is_typed_for_a_key_is_checked_as_it_is_typed(page, name, passphras
     assert not steps.new_key.isEnabled()
 
 
-def test_who_measured_cannot_approve_and_is_said_so_before_the_click(page):
+def test_who_measured_cannot_approve_and_is_said_so_before_the_click(new_page):
+    page = new_page
     told(page, DRAFT, "a.smith", "j.doe")
     assert (page.steps.approver.currentText(), page.steps.approve.isEnabled()) == ("a.smith", True)
     page.steps.approver.setCurrentText("j.doe")
@@ -138,7 +149,8 @@ def test_a_second_click_on_new_key_falls_on_new_key_which_is_grey(page, qtbot):
     assert [worker.commands(kind) for kind in (NewKey, Approve, Sign)] == [[], [], []]
 
 
-def test_after_each_step_the_focus_is_where_the_next_one_begins(page, qtbot):
+def test_after_each_step_the_focus_is_where_the_next_one_begins(new_page, qtbot):
+    page = new_page
     told(page, DRAFT)
     steps, worker = page.steps, page._app_state.quick_worker
     steps.key_name.setText("a.smith")
@@ -191,7 +203,8 @@ def test_a_day_is_taken_as_it_is_written(typed, day):
     assert day_stated(typed) == day
 
 
-def test_what_is_refused_says_so_at_its_field_and_moves_nothing(page):
+def test_what_is_refused_says_so_at_its_field_and_moves_nothing(new_page):
+    page = new_page
     told(page, APPROVED, "a.smith")
     page.steps.passphrase.setText("wrong")
     page.steps.sign.click()
@@ -227,7 +240,8 @@ def test_a_key_s_name_is_made_of_a_person_s_and_all_that_is_wrong_is_said(page):
     assert [as_key_name(name) for name in ("Jürgen O'Brien", "山田", "a.smith")] == ["jurgen.o.brien", "", "a.smith"]
 
 
-def test_what_was_done_is_said_in_the_card_of_its_step(page):
+def test_what_was_done_is_said_in_the_card_of_its_step(new_page):
+    page = new_page
     told(page, DRAFT, "a.smith")
     page.steps.approver.setCurrentText("a.smith")
     page.steps.approve.click()
@@ -272,7 +286,8 @@ def test_what_a_field_wants_is_read_to_its_end_beside_the_others(page):
         assert field.fontMetrics().horizontalAdvance(field.placeholderText()) < field.contentsRect().width() - 20
 
 
-def test_an_empty_last_day_is_said_beside_its_field_before_anybody_approves(page):
+def test_an_empty_last_day_is_said_beside_its_field_before_anybody_approves(new_page):
+    page = new_page
     told(page, DRAFT, "a.smith", "j.doe")
     said, card = page.steps.valid_once_approved, page.steps.approval
     assert card.isAncestorOf(said)
@@ -355,11 +370,11 @@ def test_enter_in_the_passphrase_signs_or_says_what_is_missing(qtbot, page):
     assert isinstance(page._app_state.quick_worker.asked[-1].command, Sign)
 
 
-def test_the_page_stays_where_it_is_as_its_file_is_signed(qtbot, page, new_window):
+def test_the_page_stays_where_it_is_as_its_file_is_signed(qtbot, page, same_window):
     """It rolled down to what Qt gives the focus next, and that it is signed was out of sight."""
-    new_window.resize(1024, 700)
+    same_window.resize(1024, 700)
     told(page, APPROVED, "a.smith")
-    sign, area = page.steps, new_window.lazy_pages["Certificate"].area
+    sign, area = page.steps, same_window.lazy_pages["Certificate"].area
     sign._lacks = lambda: ""
     sign.passphrase.setText("four words are easy")
     area.ensureWidgetVisible(sign.sign)
@@ -373,7 +388,8 @@ def test_the_page_stays_where_it_is_as_its_file_is_signed(qtbot, page, new_windo
     assert area.verticalScrollBar().value() <= before
 
 
-def test_what_a_step_says_is_not_said_twice(qtbot, page):
+def test_what_a_step_says_is_not_said_twice(qtbot, new_page):
+    page = new_page
     told(page, DRAFT, "a.smith")
     qtbot.mouseClick(page.steps.approve, Qt.MouseButton.LeftButton)
     page._app_state.quick_worker.asked[-1].then(APPROVED)

@@ -63,12 +63,12 @@ def drawn_lines(side):
 @pytest.mark.parametrize("size", [(1360, 860), (1024, 700)], ids="{0[0]}".format)
 @pytest.mark.parametrize("other_language", ["en", "de", "fr"], indirect=True)
 def test_hands_and_coils_take_seven_lines_at_most_and_the_gravest_reason_is_whole(
-    other_language, new_window, rest, size
+    other_language, same_window, rest, size
 ):
-    side = rest(new_window).side
-    new_window.resize(*size)
+    side = rest(same_window).side
+    same_window.resize(*size)
     QApplication.processEvents()
-    new_window.app_state.age_timer.stop()
+    same_window.app_state.age_timer.stop()
     found = []
     for lab in every_state():
         show(side, lab)
@@ -84,9 +84,9 @@ def test_hands_and_coils_take_seven_lines_at_most_and_the_gravest_reason_is_whol
 
 
 @pytest.mark.parametrize("told", [f"{state.NOT_BY_REFERENCE}: {SEEN}. {state.OPEN_THEM}"])
-def test_what_to_do_stays_where_how_it_was_found_goes_into_the_tip(new_window, rest, told):
-    side = rest(new_window).side
-    new_window.resize(1360, 860)
+def test_what_to_do_stays_where_how_it_was_found_goes_into_the_tip(same_window, rest, told):
+    side = rest(same_window).side
+    same_window.resize(1360, 860)
     QApplication.processEvents()
     now = LabNow(coil_words=told, platform_words="platform stands at 69°")
     show(side, LabState(now=now, hands=hands_of(now), keep_off=("✕ HANDS OFF", "bad")))

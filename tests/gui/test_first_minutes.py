@@ -24,16 +24,16 @@ RUN_ID, BEGAN_UTC = "20261128T011111-d087", "2026-11-28T01:11:11Z"
 
 
 @pytest.mark.parametrize("page", ["Start", "Bench"])
-def test_the_simulated_lab_is_seen_to_be_opened_from_the_click_on(new_window, qtbot, page):
-    app_state = new_window.app_state
+def test_the_simulated_lab_is_seen_to_be_opened_from_the_click_on(same_window, qtbot, page):
+    app_state = same_window.app_state
     app_state.facts = None
-    new_window.open_page(page)
-    there = new_window.page(page)
+    same_window.open_page(page)
+    there = same_window.page(page)
     [clicked] = [one for one in there.findChildren(QPushButton) if one.text() == "Simulated lab"]
     clicked.click()
-    assert new_window.message.text() == "Opening the simulated lab …"
+    assert same_window.message.text() == "Opening the simulated lab …"
     app_state.quick_worker.answer(FindSimulatedBench, "lab/simulated.toml")
-    assert new_window.message.text() == "Opening simulated.toml …"
+    assert same_window.message.text() == "Opening simulated.toml …"
 
 
 def test_a_bench_that_cannot_be_opened_is_not_being_opened(still):
@@ -45,16 +45,16 @@ def test_a_bench_that_cannot_be_opened_is_not_being_opened(still):
 
 
 @pytest.mark.parametrize("chosen", ["/lab/bench.toml", ""])
-def test_who_is_to_open_a_bench_chooses_its_file_at_once(new_window, monkeypatch, chosen):
+def test_who_is_to_open_a_bench_chooses_its_file_at_once(same_window, monkeypatch, chosen):
     """Start's button led to a second one of the same name."""
     monkeypatch.setattr(bench_chooser.QFileDialog, "getOpenFileName", lambda *_: (chosen, ""))
-    new_window.app_state.facts = None
-    new_window.app_state.lab.update(bench="")
-    new_window.app_state.bench_changed.emit()
-    new_window.open_page("Start")
-    before = list(new_window.app_state.quick_worker.asked)
-    new_window.page("Start").open.click()
-    asked = [one.command for one in new_window.app_state.quick_worker.asked[len(before) :]]
+    same_window.app_state.facts = None
+    same_window.app_state.lab.update(bench="")
+    same_window.app_state.bench_changed.emit()
+    same_window.open_page("Start")
+    before = list(same_window.app_state.quick_worker.asked)
+    same_window.page("Start").open.click()
+    asked = [one.command for one in same_window.app_state.quick_worker.asked[len(before) :]]
     assert [one for one in asked if isinstance(one, ReadBench)] == ([ReadBench(chosen)] if chosen else [])
 
 

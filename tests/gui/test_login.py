@@ -16,11 +16,11 @@ ADA, BOB = Person("ada.smith", ("approve", "measure")), Person("bob.jones", ("re
 
 
 @pytest.fixture
-def locked(new_window):
-    new_window.app_state.set_identity(operator="ada.smith")  # as remembered from yesterday
-    new_window.app_state.login.take_people((ADA, BOB))
-    assert new_window.lock_screen.isVisible()
-    return new_window
+def locked(same_window):
+    same_window.app_state.set_identity(operator="ada.smith")  # as remembered from yesterday
+    same_window.app_state.login.take_people((ADA, BOB))
+    assert same_window.lock_screen.isVisible()
+    return same_window
 
 
 def log_in(window, qtbot, name):
@@ -28,14 +28,14 @@ def log_in(window, qtbot, name):
     qtbot.mouseClick(window.lock_screen.open, Qt.MouseButton.LeftButton)
 
 
-def test_where_nobody_has_a_role_nobody_logs_in(new_window):
-    new_window.app_state.login.take_people(())
-    assert not new_window.lock_screen.isVisible()
-    assert not new_window.lock_switch.isVisible()
-    assert not new_window.top.operator.isReadOnly()
-    new_window.app_state.login.lock()
-    assert not new_window.app_state.login.locked
-    assert new_window.app_state.objection() == ""
+def test_where_nobody_has_a_role_nobody_logs_in(same_window):
+    same_window.app_state.login.take_people(())
+    assert not same_window.lock_screen.isVisible()
+    assert not same_window.lock_switch.isVisible()
+    assert not same_window.top.operator.isReadOnly()
+    same_window.app_state.login.lock()
+    assert not same_window.app_state.login.locked
+    assert same_window.app_state.objection() == ""
 
 
 def test_a_name_opens_it_and_stands_at_the_top_where_nobody_types_another(locked, qtbot):

@@ -79,11 +79,11 @@ def test_a_key_pressed_before_the_question_took_any_is_refused_by_what_was_the_c
     assert asked.hint.text() == "▲ F8 was pressed before this question took an answer. Press it anew."
 
 
-def test_the_verdict_on_a_file_stands_alone(new_window):
+def test_the_verdict_on_a_file_stands_alone(same_window):
     """A file that was verified stood in small letters above "✓ RELEASED" of another one."""
-    new_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
-    new_window.open_page("Certificate")
-    page, worker = new_window.page("Certificate"), new_window.app_state.quick_worker
+    same_window.app_state.set_identity(dut="EM-07", operator="J. Doe")
+    same_window.open_page("Certificate")
+    page, worker = same_window.page("Certificate"), same_window.app_state.quick_worker
     worker.answer(ListCalibrations, (calibration(),))
     worker.answer(ListKeys, ())
     assert page.detail.isVisible()
@@ -129,14 +129,14 @@ def test_start_says_ready_only_where_it_is_to_be_measured(still):
     app_state.set_identity(operator="J. Doe")
 
 
-def test_there_are_no_larger_letters_where_there_is_no_room(new_window):
-    new_window.resize(984, 660)
-    new_window.toggle_wall()
-    assert (new_window.wall, new_window.size_switch.text()) == (False, "Larger   F11")
+def test_there_are_no_larger_letters_where_there_is_no_room(same_window):
+    same_window.resize(984, 660)
+    same_window.toggle_wall()
+    assert (same_window.wall, same_window.size_switch.text()) == (False, "Larger   F11")
 
 
-def test_what_settings_mean_stands_below_them_in_a_narrow_form(new_window, qtbot):
-    form = new_window.page("Run").choose.form
+def test_what_settings_mean_stands_below_them_in_a_narrow_form(same_window, qtbot):
+    form = same_window.page("Run").choose.form
     for width, below in ((1500, False), (420, True)):
         form.resize(width, 500)
         form.layout().activate()

@@ -76,26 +76,26 @@ def test_whose_run_it_is_may_be_known_later(listed):
     assert (listed.shown_bar.isVisible(), listed.top.dut.text()) == (True, "EM-22")
 
 
-def test_what_is_learned_of_the_store_later_switches_no_dut(new_window):
+def test_what_is_learned_of_the_store_later_switches_no_dut(same_window):
     """After a start the DUT of an interrupted run is proposed; one that another window leaves later is not."""
-    app_state = new_window.app_state
+    app_state = same_window.app_state
     app_state.one_dut.stated = app_state.one_dut.proposed = False
     app_state.path.take_runs(())
     app_state.propose_dut()
-    proposed = new_window.top.dut.text()
+    proposed = same_window.top.dut.text()
     app_state.path.take_runs((replace(OF_21, status="interrupted", simulated=True),))
     app_state.propose_dut()
-    assert new_window.top.dut.text() == proposed
+    assert same_window.top.dut.text() == proposed
 
 
-def test_a_dut_that_was_scanned_is_said(new_window):
-    app_state = new_window.app_state
+def test_a_dut_that_was_scanned_is_said(same_window):
+    app_state = same_window.app_state
     app_state.one_dut.stated = app_state.one_dut.proposed = False
     app_state.scan("EM-55")
     app_state.scan_vm.take()
     assert app_state.settings.value(KEPT) == "EM-55"
     app_state.propose_dut()
-    assert new_window.top.dut.text() == "EM-55"
+    assert same_window.top.dut.text() == "EM-55"
 
 
 def test_another_serial_at_the_top_lets_go_of_the_run_of_the_one_before(listed):
@@ -134,14 +134,14 @@ def test_while_a_run_goes_on_its_dut_stays_and_any_run_may_be_looked_at(listed):
     assert (listed.top.dut.text(), listed.app_state.study_vm.run) == ("EM-22", "r21")
 
 
-def test_a_window_that_is_started_again_after_a_crash_has_the_serial_that_was_said_last(new_window):
-    new_window.app_state.set_identity(dut="EM-99")
-    assert new_window.app_state.settings.value(KEPT) == "EM-99"
-    new_window.app_state.one_dut.stated = False
-    new_window.app_state.lab.update(dut_serial="")
-    come_back(new_window, "Fit", "window-1.zip", ran=False)
-    new_window.app_state.propose_dut()
-    assert new_window.top.dut.text() == "EM-99"
+def test_a_window_that_is_started_again_after_a_crash_has_the_serial_that_was_said_last(same_window):
+    same_window.app_state.set_identity(dut="EM-99")
+    assert same_window.app_state.settings.value(KEPT) == "EM-99"
+    same_window.app_state.one_dut.stated = False
+    same_window.app_state.lab.update(dut_serial="")
+    come_back(same_window, "Fit", "window-1.zip", ran=False)
+    same_window.app_state.propose_dut()
+    assert same_window.top.dut.text() == "EM-99"
 
 
 def test_what_is_kept_of_a_run_is_said_where_it_is_opened_and_in_the_lists(listed):
@@ -239,12 +239,12 @@ def test_the_count_and_the_run_are_said_alike_on_every_page(listed):
     pytest.param("finished", True, "SIM-0001", marks=pytest.mark.slow),
     pytest.param("interrupted", False, "SIM-0001", marks=pytest.mark.slow),
 ])  # fmt: skip
-def test_until_somebody_says_which_the_dut_is_that_of_the_run_to_be_gone_on_with(new_window, status, simulated, dut):
-    app_state = new_window.app_state
+def test_until_somebody_says_which_the_dut_is_that_of_the_run_to_be_gone_on_with(same_window, status, simulated, dut):
+    app_state = same_window.app_state
     app_state.one_dut.stated = app_state.one_dut.proposed = False
     app_state.path.take_runs((replace(OF_21, status=status, simulated=simulated),))
     app_state.propose_dut()
-    assert new_window.top.dut.text() == dut
+    assert same_window.top.dut.text() == dut
     app_state.set_identity(dut="EM-44")
     app_state.propose_dut()
-    assert new_window.top.dut.text() == "EM-44"
+    assert same_window.top.dut.text() == "EM-44"

@@ -18,25 +18,25 @@ LONG = "Applied: the calibration of EM-07 was written beside the readings, " * 3
 
 
 @pytest.fixture
-def german(qapp, new_window):
+def german(qapp, same_window):
     translate.install_translator(qapp, QLocale("de"))
-    new_window.resize(1024, 700)
-    yield new_window
+    same_window.resize(1024, 700)
+    yield same_window
     translate.install_translator(qapp, QLocale("en"))
 
 
-def test_the_line_at_the_bottom_goes_on_in_a_second_line_and_nothing_above_it_moves(new_window):
-    new_window.resize(1024, 700)
-    settle(new_window)
-    high = new_window.bottom.height()
-    new_window.app_state.lab.update(message=LONG[:150])
-    settle(new_window)
-    message = new_window.message
+def test_the_line_at_the_bottom_goes_on_in_a_second_line_and_nothing_above_it_moves(same_window):
+    same_window.resize(1024, 700)
+    settle(same_window)
+    high = same_window.bottom.height()
+    same_window.app_state.lab.update(message=LONG[:150])
+    settle(same_window)
+    message = same_window.message
     assert message.fontMetrics().horizontalAdvance(message.text()) > message.width()
     assert not message.is_cut()
-    assert new_window.bottom.height() == high
-    new_window.app_state.lab.update(message=LONG * 3)
-    settle(new_window)
+    assert same_window.bottom.height() == high
+    same_window.app_state.lab.update(message=LONG * 3)
+    settle(same_window)
     assert message.is_cut()  # its whole is in the tip
     assert message.text() in message.toolTip()
 
@@ -56,14 +56,14 @@ def test_buttons_that_need_two_rows_are_shared_between_them(qtbot):
     assert len({one.y() for one in buttons}) == 6
 
 
-def test_how_an_instrument_stands_is_one_sentence_and_what_helps_stands_above(new_window):
-    new_window.open_page("Bench")
-    bench, worker = new_window.page("Bench"), new_window.app_state.off_worker
-    new_window.app_state.bench_changed.emit()
+def test_how_an_instrument_stands_is_one_sentence_and_what_helps_stands_above(same_window):
+    same_window.open_page("Bench")
+    bench, worker = same_window.page("Bench"), same_window.app_state.off_worker
+    same_window.app_state.bench_changed.emit()
     bench.check_all()
     said = "dut: another instrument answered there. It names itself PL303QMT-P 123456, which is a supply."
     silent = Fault("instrument", said, "Is the link in bench.toml the right one?")
-    names = new_window.app_state.facts.instruments
+    names = same_window.app_state.facts.instruments
     answers = tuple(InstrumentAnswer(n, "", "", "", silent if n == "dut" else None) for n in names)
     worker.answer(Identify, Identified(answers))
     bench.show_readings()
@@ -78,11 +78,11 @@ def test_a_sentence_is_cut_between_words():
     assert one_sentence("✕ " + "word " * 20).endswith("word …")
 
 
-def test_the_table_of_bench_is_as_high_as_its_rows(new_window):
-    new_window.resize(1920, 1080)
-    new_window.open_page("Bench")
-    settle(new_window)
-    table = new_window.page("Bench").table
+def test_the_table_of_bench_is_as_high_as_its_rows(same_window):
+    same_window.resize(1920, 1080)
+    same_window.open_page("Bench")
+    settle(same_window)
+    table = same_window.page("Bench").table
     rows = sum(table.rowHeight(row) for row in range(table.rowCount()))
     assert table.viewport().height() - rows < 2 * table.rowHeight(0)
 

@@ -39,13 +39,13 @@ def test_no_page_is_wider_than_a_small_window(same_window, qtbot, page):
     assert bar.maximum() == 0
 
 
-def test_whether_hands_may_go_in_is_seen_whole_at_a_question_after_an_interruption(new_window):
+def test_whether_hands_may_go_in_is_seen_whole_at_a_question_after_an_interruption(same_window):
     """An inner bar cut "✓ Hands may go in: … the reference has no"."""
-    card = asking(new_window, STANDS, SMALL)
+    card = asking(same_window, STANDS, SMALL)
     said = "✓ Hands may go in: coils at zero, each was read back, platform stands; the reference has no say in that"
     card.hands.setText(said)
     card.hands.show()
-    settle(new_window)
+    settle(same_window)
     rolled = card.findChild(Rolled)
     assert card.hands.mapTo(rolled, card.hands.rect().bottomLeft()).y() < rolled.viewport().height()
 
@@ -68,50 +68,50 @@ def test_the_longest_reservation_is_whole_below_the_longest_such_question(still,
     assert still.lazy_pages["Run"].area.horizontalScrollBar().maximum() == 0
 
 
-def test_the_verdict_of_a_measurement_is_seen(new_window):
-    new_window.resize(*SMALL)
-    begun(new_window, WORST)
-    new_window.open_page("Run")
-    settle(new_window)
-    table = new_window.page("Run").live.table
+def test_the_verdict_of_a_measurement_is_seen(same_window):
+    same_window.resize(*SMALL)
+    begun(same_window, WORST)
+    same_window.open_page("Run")
+    settle(same_window)
+    table = same_window.page("Run").live.table
     assert table.columnViewportPosition(5) + table.columnWidth(5) <= table.viewport().width()
-    assert new_window.lazy_pages["Run"].area.horizontalScrollBar().maximum() == 0
+    assert same_window.lazy_pages["Run"].area.horizontalScrollBar().maximum() == 0
 
 
-def test_large_letters_on_a_large_screen_keep_no_window_large(new_window):
+def test_large_letters_on_a_large_screen_keep_no_window_large(same_window):
     """Two runs compared, in the largest letters: made small at once, it is as small as it was made, and whole."""
-    new_window.open_page("History")
-    page = new_window.page("History")
+    same_window.open_page("History")
+    page = same_window.page("History")
     page.comparison.show_comparison(Comparison(side("r1", "r1.json"), side("r2", "r2.json"), FOUND))
     page.faces.setCurrentWidget(page.comparison)
-    new_window.toggle_wall()
-    new_window.resize(3840, 2160)
-    settle(new_window)
-    new_window.resize(*SMALL)
-    settle(new_window)
-    assert (new_window.width(), new_window.height()) == SMALL
-    assert new_window.lazy_pages["History"].area.horizontalScrollBar().maximum() == 0
-    new_window.resize(200, 200)
-    settle(new_window)
-    assert new_window.width() >= new_window.minimumSizeHint().width() > 200
-    new_window.resize(*SMALL)
-    new_window.toggle_wall()
+    same_window.toggle_wall()
+    same_window.resize(3840, 2160)
+    settle(same_window)
+    same_window.resize(*SMALL)
+    settle(same_window)
+    assert (same_window.width(), same_window.height()) == SMALL
+    assert same_window.lazy_pages["History"].area.horizontalScrollBar().maximum() == 0
+    same_window.resize(200, 200)
+    settle(same_window)
+    assert same_window.width() >= same_window.minimumSizeHint().width() > 200
+    same_window.resize(*SMALL)
+    same_window.toggle_wall()
 
 
-def test_where_there_is_no_room_for_larger_letters_that_is_said(new_window):
-    new_window.resize(*SMALL)
-    new_window.toggle_wall()
-    assert new_window.message.text() == "The window has no room for larger letters: make it larger."
-    assert new_window.message.text() in QToolTip.text()  # also there: a run writes the line below anew
+def test_where_there_is_no_room_for_larger_letters_that_is_said(same_window):
+    same_window.resize(*SMALL)
+    same_window.toggle_wall()
+    assert same_window.message.text() == "The window has no room for larger letters: make it larger."
+    assert same_window.message.text() in QToolTip.text()  # also there: a run writes the line below anew
     (tip,) = (one for one in QApplication.topLevelWidgets() if one.inherits("QTipLabel"))
-    last = new_window.sidebar_buttons.buttons()[-1]
-    below, side = last.mapTo(new_window, last.rect().bottomLeft()).y(), new_window.sidebar.width()
-    top, left = new_window.mapFromGlobal(tip.pos()).y(), new_window.mapFromGlobal(tip.pos()).x()
+    last = same_window.sidebar_buttons.buttons()[-1]
+    below, side = last.mapTo(same_window, last.rect().bottomLeft()).y(), same_window.sidebar.width()
+    top, left = same_window.mapFromGlobal(tip.pos()).y(), same_window.mapFromGlobal(tip.pos()).x()
     assert below <= top
     assert left + tip.width() <= side + tip.contentsMargins().left() + 4  # over no table, no button, no note
-    switch = new_window.size_switch
-    assert top + tip.height() <= switch.mapTo(new_window, switch.rect().topLeft()).y()
-    new_window.toggle_wall()
+    switch = same_window.size_switch
+    assert top + tip.height() <= switch.mapTo(same_window, switch.rect().topLeft()).y()
+    same_window.toggle_wall()
 
 
 @pytest.mark.parametrize(("page", "face"), [("History", "comparison"), ("History", "recording"), ("Bench", "editor")])
@@ -126,8 +126,8 @@ def test_what_a_face_out_of_sight_would_need_makes_no_page_wider(new_window, pag
 
 
 @pytest.mark.parametrize("other_language", ["en", "fr"], indirect=True)
-def test_what_a_residual_is_drawn_against_is_whole(other_language, new_window, rest):
-    window = rest(new_window)
+def test_what_a_residual_is_drawn_against_is_whole(other_language, same_window, rest):
+    window = rest(same_window)
     window.open_page(traced(window))
     window.resize(1024, 700)
     settle(window)

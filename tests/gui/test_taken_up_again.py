@@ -10,34 +10,34 @@ from labcal.gui.viewmodels.kept_of_run import kept_words
 
 
 @pytest.mark.parametrize("page", ["Fit", "Loop"])
-def test_the_last_run_of_the_dut_at_the_top_is_under_study_again_with_what_is_kept_of_it(new_window, page):
-    app_state = new_window.app_state
+def test_the_last_run_of_the_dut_at_the_top_is_under_study_again_with_what_is_kept_of_it(same_window, page):
+    app_state = same_window.app_state
     app_state.set_identity(dut="EM-07")
-    new_window.page(page)
-    new_window.open_page(page)
+    same_window.page(page)
+    same_window.open_page(page)
     app_state.quick_worker.answer(ListCalibrations, (calibration(),))
     app_state.quick_worker.answer(ListRuns, (RUN,))
     assert app_state.study_vm.run == "r1"
     assert app_state.fit_worker.commands(LookAt) == [LookAt("r1")]
-    assert new_window.page(page).chooser.currentData() == "r1"
+    assert same_window.page(page).chooser.currentData() == "r1"
     app_state.path.take_calibrations((calibration(),))
     assert kept_words(app_state.path, app_state.study_vm.run).startswith("Kept of this run")
 
 
-def test_nothing_of_another_dut_is_taken_up(new_window):
-    app_state = new_window.app_state
+def test_nothing_of_another_dut_is_taken_up(same_window):
+    app_state = same_window.app_state
     app_state.set_identity(dut="EM-99")
-    new_window.open_page("Fit")
+    same_window.open_page("Fit")
     app_state.quick_worker.answer(ListRuns, (RUN,))
     assert app_state.study_vm.run == ""
 
 
-def test_the_page_and_its_mark_are_of_one_dut(new_window):
-    app_state = new_window.app_state
+def test_the_page_and_its_mark_are_of_one_dut(same_window):
+    app_state = same_window.app_state
     app_state.set_identity(dut="EM-07", operator="J. Doe")
     app_state.path.take_runs((RUN,))
-    new_window.open_page("Certificate")
-    page, worker = new_window.page("Certificate"), app_state.quick_worker
+    same_window.open_page("Certificate")
+    page, worker = same_window.page("Certificate"), app_state.quick_worker
     worker.answer(ListCalibrations, (calibration(),))
     worker.answer(ListKeys, ())
     assert page.chosen() is not None
@@ -50,14 +50,14 @@ def test_the_page_and_its_mark_are_of_one_dut(new_window):
     assert page.empty.text().startswith("Choose a calibration")
     page.list.setCurrentIndex(0)
     page.list.activated.emit(0)
-    assert (new_window.shown_bar.isVisible(), app_state.lab.state.dut_serial) == (True, "")
-    new_window.shown_bar.take.click()
+    assert (same_window.shown_bar.isVisible(), app_state.lab.state.dut_serial) == (True, "")
+    same_window.shown_bar.take.click()
     assert app_state.lab.state.dut_serial == "EM-07"
     assert app_state.path.marks()["Certificate"] == "done"
 
 
-def test_who_waits_for_a_bench_that_is_being_opened_is_not_told_to_open_one(new_window):
-    app_state = new_window.app_state
+def test_who_waits_for_a_bench_that_is_being_opened_is_not_told_to_open_one(same_window):
+    app_state = same_window.app_state
     facts, app_state.facts = app_state.facts, None
     assert app_state.objection().startswith("Open a bench first")
     app_state.lab.update(opening=True)

@@ -42,16 +42,16 @@ def click(dialog, button):
 
 
 @pytest.mark.parametrize("which", ["Open", "COILS OFF"])
-def test_the_first_click_counts_where_a_path_was_typed(new_window, tmp_path, qtbot, which):
+def test_the_first_click_counts_where_a_path_was_typed(same_window, tmp_path, qtbot, which):
     (tmp_path / "served.toml").write_text("", encoding="utf-8")
-    dialog, heard = QFileDialog(new_window, "Open", str(GUI)), []
+    dialog, heard = QFileDialog(same_window, "Open", str(GUI)), []
     dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
     dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
     dialog.accepted.connect(lambda: heard.append("Open"))
-    new_window.coils_off.connect(lambda: heard.append("COILS OFF"))
+    same_window.coils_off.connect(lambda: heard.append("COILS OFF"))
     dialog.show()
     field = dialog.findChild(QLineEdit, "fileNameEdit")
-    settle(new_window)
+    settle(same_window)
     QTest.keyClicks(field, str(tmp_path / "served.toml"))
     qtbot.wait(300)  # for what its list of files would offer
     accept = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Open)
@@ -60,17 +60,17 @@ def test_the_first_click_counts_where_a_path_was_typed(new_window, tmp_path, qtb
     dialog.close()
 
 
-def test_the_sheet_of_keys_is_as_high_as_its_rows_where_there_is_room(new_window):
-    new_window.resize(1360, 1060)
-    new_window.show_keys()
-    settle(new_window)
-    (sheet,) = new_window.findChildren(KeySheet)
+def test_the_sheet_of_keys_is_as_high_as_its_rows_where_there_is_room(same_window):
+    same_window.resize(1360, 1060)
+    same_window.show_keys()
+    settle(same_window)
+    (sheet,) = same_window.findChildren(KeySheet)
     assert sheet.area.verticalScrollBar().maximum() == 0
     sheet.close()
 
 
-def test_no_two_keys_are_said_to_do_the_same(new_window):
-    listed = new_window.keys()
+def test_no_two_keys_are_said_to_do_the_same(same_window):
+    listed = same_window.keys()
     said = [words for _, words in listed]
     assert sorted(said) == sorted(set(said))
 
@@ -101,17 +101,17 @@ def test_every_word_that_a_widget_shows_by_itself_is_in_the_ts_file(in_language)
     assert {one for one, text in escaped.items() if f"<source>{text}</source>" not in words} == set()
 
 
-def test_a_file_that_is_no_bench_says_so_and_which_bench_stays_and_leaves_with_the_next_page(new_window, tmp_path):
+def test_a_file_that_is_no_bench_says_so_and_which_bench_stays_and_leaves_with_the_next_page(same_window, tmp_path):
     (tmp_path / "pyproject.toml").write_text('[build-system]\nrequires = ["hatchling"]\n', encoding="utf-8")
     with pytest.raises(InputError) as refused:
         read_config(tmp_path / "pyproject.toml")
-    app_state, card = new_window.app_state, new_window.fault
+    app_state, card = same_window.app_state, same_window.fault
     before = app_state.bench
     for leaves in (
-        lambda: new_window.open_page("History"),
+        lambda: same_window.open_page("History"),
         lambda: app_state.bench_known(before, app_state.facts),
     ):
-        new_window.open_page("Bench")
+        same_window.open_page("Bench")
         app_state.open_bench(str(tmp_path / "pyproject.toml"))
         asked = next(one for one in reversed(app_state.quick_worker.asked) if isinstance(one.command, ReadBench))
         asked.failed(fault_of(refused.value))
@@ -123,16 +123,16 @@ def test_a_file_that_is_no_bench_says_so_and_which_bench_stays_and_leaves_with_t
         assert not card.isVisible()
 
 
-def test_while_a_bench_is_opened_nothing_says_that_none_is_open(new_window):
-    app_state = new_window.app_state
-    new_window.open_page("Start")
+def test_while_a_bench_is_opened_nothing_says_that_none_is_open(same_window):
+    app_state = same_window.app_state
+    same_window.open_page("Start")
     app_state.facts = None
     app_state.lab.update(bench="", opening=True)
-    said = [one.text() for one in new_window.findChildren(QLabel) if one.isVisible()]
+    said = [one.text() for one in same_window.findChildren(QLabel) if one.isVisible()]
     assert "The bench is being opened …" in said
     assert "No bench is open." not in said
     app_state.lab.update(opening=False)
-    assert "No bench is open." in [one.text() for one in new_window.findChildren(QLabel) if one.isVisible()]
+    assert "No bench is open." in [one.text() for one in same_window.findChildren(QLabel) if one.isVisible()]
 
 
 RAW = {
@@ -143,9 +143,9 @@ RAW = {
 
 
 @pytest.mark.parametrize("raw", RAW)
-def test_what_came_over_a_line_is_told_in_plain_words_and_stands_in_the_details(new_window, raw):
-    card = new_window.fault
-    new_window.app_state.fault.emit(Fault("instrument", raw, "Look at its panel."))
+def test_what_came_over_a_line_is_told_in_plain_words_and_stands_in_the_details(same_window, raw):
+    card = same_window.fault
+    same_window.app_state.fault.emit(Fault("instrument", raw, "Look at its panel."))
     assert card.text.text() == RAW[raw]
     assert card.fold.isVisible()
     assert raw in card.details.toPlainText()
@@ -161,18 +161,18 @@ def test_the_list_of_instruments_quotes_no_protocol(raw):
     assert "://" not in words
 
 
-def test_coils_off_and_the_hands_are_in_sight_in_every_frame_of_another_theme(new_window):
-    new_window.app_state.take_lab(LabState((), instruments=()))
-    new_window.open_page("Run")
-    settle(new_window)
-    assert new_window.side.keep_off.isVisible()
-    new_window.theme_switch.click()
+def test_coils_off_and_the_hands_are_in_sight_in_every_frame_of_another_theme(same_window):
+    same_window.app_state.take_lab(LabState((), instruments=()))
+    same_window.open_page("Run")
+    settle(same_window)
+    assert same_window.side.keep_off.isVisible()
+    same_window.theme_switch.click()
     frames = 0
-    while new_window.style_queue.waits:
+    while same_window.style_queue.waits:
         QApplication.processEvents()
-        seen = new_window.screen().grabWindow(new_window.winId()).toImage()
-        for part in (new_window.top.off, new_window.side.keep_off):
-            at = part.mapTo(new_window, part.rect().topLeft())
+        seen = same_window.screen().grabWindow(same_window.winId()).toImage()
+        for part in (same_window.top.off, same_window.side.keep_off):
+            at = part.mapTo(same_window, part.rect().topLeft())
             across = range(at.x(), at.x() + part.width(), 2)
             colours = {seen.pixel(x, at.y() + part.height() // 2) for x in across}
             assert len(colours) > 1, f"{part.text()} is not painted in frame {frames}"
@@ -180,28 +180,28 @@ def test_coils_off_and_the_hands_are_in_sight_in_every_frame_of_another_theme(ne
     assert frames > 1
 
 
-def test_why_a_serial_is_not_accepted_moves_nothing(new_window):
-    new_window.open_page("Run")
-    settle(new_window)
-    parts = new_window.stack, new_window.side, new_window.sidebar, new_window.top.simulated
+def test_why_a_serial_is_not_accepted_moves_nothing(same_window):
+    same_window.open_page("Run")
+    settle(same_window)
+    parts = same_window.stack, same_window.side, same_window.sidebar, same_window.top.simulated
     before = [one.geometry() for one in parts]
-    new_window.app_state.set_identity(dut="EM 0/7; rm *")
-    settle(new_window)
-    reason = new_window.top.reason
+    same_window.app_state.set_identity(dut="EM 0/7; rm *")
+    settle(same_window)
+    reason = same_window.top.reason
     assert reason.isVisible()
     assert "is no serial number" in reason.text()
     assert [one.geometry() for one in parts] == before
     assert reason.height() <= 3 * GRID  # it lies in the page's margin, over no words
-    new_window.app_state.set_identity(dut="EM-07")
+    same_window.app_state.set_identity(dut="EM-07")
     assert not reason.isVisible()
 
 
-def test_the_badge_stands_at_one_place_on_every_page(new_window):
+def test_the_badge_stands_at_one_place_on_every_page(same_window):
     places = set()
     for name in ("Start", "Bench", "Run", "Fit", "Loop", "Certificate", "History"):
-        new_window.open_page(name)
-        settle(new_window)
-        places.add(new_window.top.simulated.x())
+        same_window.open_page(name)
+        settle(same_window)
+        places.add(same_window.top.simulated.x())
     assert len(places) == 1
 
 
@@ -246,18 +246,18 @@ def test_settings_that_are_wrong_beside_the_serial_are_said_too(still):
     assert choose.objection.text() == "Correct what is red at the top, and what is marked ✕ above."
 
 
-def test_each_page_says_what_kind_of_number_its_own_is(new_window):
-    new_window.open_page("Certificate")
-    units = [one.toolTip() for one in new_window.page("Certificate").findChildren(QLabel) if one.text() == "U: k=2"]
+def test_each_page_says_what_kind_of_number_its_own_is(same_window):
+    same_window.open_page("Certificate")
+    units = [one.toolTip() for one in same_window.page("Certificate").findChildren(QLabel) if one.text() == "U: k=2"]
     assert ["of the parameter in its line alone" in tip and "rms on the Fit" in tip for tip in units] == [True]
 
 
-def test_what_is_not_kept_of_a_run_is_said_with_the_button_that_makes_it(new_window):
+def test_what_is_not_kept_of_a_run_is_said_with_the_button_that_makes_it(same_window):
     run = RunLine("r9", "2026-01-05T07:00:00Z", "finished", "EM-07", "J. Doe", "preflight", verdict="explained")
     run = replace(run, left_nT=(228.5, 27.0, 27.5))
-    new_window.app_state.path.take_runs((run,))
-    new_window.app_state.one_dut.open("r9")
-    new_window.open_page("Loop")
-    words = new_window.page("Loop").empty.text()
+    same_window.app_state.path.take_runs((run,))
+    same_window.app_state.one_dut.open("r9")
+    same_window.open_page("Loop")
+    words = same_window.page("Loop").empty.text()
     assert "228.5 → 27.0 nT rms of the vector, noise alone 27.5 nT rms" in words
     assert words.endswith("“Work it out again” makes them.")

@@ -4,11 +4,15 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtWidgets import QApplication
-from test_certificate_steps import DRAFT, RELEASED, settle, told
-from test_certificate_steps import page as page
+from test_certificate_steps import DRAFT, RELEASED, certificate_page, settle, told
 
 from labcal.gui.ipc.messages import HandOut
 from labcal.gui.widgets import open_externally
+
+
+@pytest.fixture
+def page(new_window):
+    return certificate_page(new_window)
 
 
 @pytest.fixture
