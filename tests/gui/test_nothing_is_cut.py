@@ -325,9 +325,10 @@ LONG = {
     "a pause asked for": lambda window: (measuring(window), window.app_state.run.pause(), "Run")[2],
     "finished": lambda window: ended(window, "finished"),
 }
+ALIKE = ("hands off", "to switch", "a pause asked for")  # nearly as full as others
 
 
-@pytest.mark.parametrize("state", LONG)
+@pytest.mark.parametrize("state", [pytest.param(one, marks=[pytest.mark.slow] * (one in ALIKE)) for one in LONG])
 def test_a_run_in_large_letters_is_whole_on_a_usual_screen(still, large, state):
     page = LONG[state](still)
     still.open_page(page)
