@@ -66,6 +66,15 @@ def test_what_cannot_be_read_is_to_be_worked_out_anew(run, text):
     assert kept_fits(run, ("ml",)) == {}
 
 
+def test_of_more_runs_than_are_kept_the_one_worked_out_longest_ago_is_to_be_worked_out_anew(run, monkeypatch):
+    monkeypatch.setattr(kept_answers, "MOST_RUNS", 2)
+    others = [type("Other", (), {"run_id": name, "__len__": lambda self: 3})() for name in ("r-a", "r-b")]
+    for other in others:
+        keep_fit(other, "ml", ML)
+    assert [list(kept_fits(one, ("ml",))) for one in others] == [["ml"], ["ml"]]
+    assert kept_loop(run) is None
+
+
 def test_methods_come_in_the_order_in_which_they_were_worked_out(run):
     for at, method in enumerate(("ml", "ekf", "centered")):
         keep_fit(run, method, ML)

@@ -7,6 +7,7 @@ other figures. Where the folder takes nothing, or what lies there cannot be read
 from __future__ import annotations
 
 import json
+import shutil
 from contextlib import suppress
 from pathlib import Path
 from typing import TypeVar
@@ -19,7 +20,7 @@ from labcal.gui.ipc.codec import decode, encode
 from labcal.record import Run
 from labcal.record.run_id import as_file_name
 
-FOLDER = "shown"
+FOLDER, MOST_RUNS = "shown", 100
 LOOP, FIT = "loop", "fit-"
 Answer = TypeVar("Answer", Fitted, Loop)
 
@@ -56,6 +57,14 @@ def _keep(run: Run, name: str, answer: Fitted | Loop) -> None:
         own_folder(own_folder(own_folder(home()) / FOLDER) / _folder(run).name)
         stated = {"made_by": _maker(), "rows": len(run), "answer": encode(answer)}
         write_text(_folder(run) / f"{name}.json", json.dumps(stated))
+        _forget_oldest()
+
+
+def _forget_oldest() -> None:
+    """Of more runs than `MOST_RUNS` those that were worked out longest ago: they are to be worked out anew."""
+    folders = sorted((home() / FOLDER).iterdir(), key=lambda one: one.stat().st_mtime)
+    for folder in folders[:-MOST_RUNS]:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def _kept(run: Run, place: Path, kind: type[Answer]) -> Answer | None:
