@@ -23,6 +23,7 @@ def hands(window):
 
 
 BEGINS = ("▲ Hands off: the run begins", "off", "▲ Hands off")
+GOES_ON = ("▲ Hands off: the run goes on", "off", "▲ Hands off")
 
 
 @pytest.fixture
@@ -40,7 +41,20 @@ def test_a_run_that_begins_is_no_time_to_reach_in(at_zero):
     send(at_zero, Step(0.0, 1, 4, "zero", 60.0, STEPS, 20.0))
     assert hands(at_zero) == BEGINS
     says(at_zero, platform=stands())
+    assert hands(at_zero) == GOES_ON
+
+
+def test_hands_are_let_in_by_a_question_and_by_a_pause_alone(at_zero):
+    """In between it was "may go in" for a second, with the platform's search for its zero next."""
+    at_zero.app_state.run.start(ORDER)
+    send(at_zero, Step(0.0, 1, 4, "zero", 60.0, STEPS, 20.0))
+    says(at_zero, platform=stands())
+    assert hands(at_zero) == GOES_ON
+    send(at_zero, Prompt(0.0, "mount-z", "Mount the DUT with body Z up.", ("done",), acts=True))
     assert hands(at_zero)[1] == "alone"
+    at_zero.app_state.run.answer("done")
+    send(at_zero, Step(1.0, 2, 4, "z", 60.0, STEPS, 20.0))
+    assert hands(at_zero) == GOES_ON
 
 
 def test_what_a_run_asks_at_once_is_not_hidden_by_the_lab_of_before(still):
@@ -68,7 +82,7 @@ def test_nor_is_one_that_goes_on_after_a_pause(at_zero):
     assert hands(at_zero) == BEGINS
     send(at_zero, Event(2.0, "pause", "goes on", {}))
     says(at_zero, platform=stands())
-    assert hands(at_zero)[1] == "alone"
+    assert hands(at_zero) == GOES_ON
 
 
 def test_a_reason_that_is_known_stays_one(at_zero):

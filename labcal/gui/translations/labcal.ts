@@ -9950,6 +9950,10 @@ after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>the run goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation type="unfinished"></translation>
     </message>

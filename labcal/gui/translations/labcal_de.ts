@@ -9951,6 +9951,10 @@ diesem Schritt …</translation>
         <translation>die Messung beginnt</translation>
     </message>
     <message>
+        <source>the run goes on</source>
+        <translation>die Messung geht weiter</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0}: keine Antwort von {1}</translation>
     </message>

@@ -9951,6 +9951,10 @@ cette étape …</translation>
         <translation>la mesure commence</translation>
     </message>
     <message>
+        <source>the run goes on</source>
+        <translation>la mesure continue</translation>
+    </message>
+    <message>
         <source>{0}: no answer from {1}</source>
         <translation>{0} : pas de réponse de {1}</translation>
     </message>

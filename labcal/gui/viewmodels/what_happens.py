@@ -38,6 +38,7 @@ COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
 STOPS = QT_TRANSLATE_NOOP("Words", "stopping")
 BREAKS = QT_TRANSLATE_NOOP("Words", "the step is broken off")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
+GOES_ON = QT_TRANSLATE_NOOP("Words", "the run goes on")
 WRONG = "✕ "  # before what keeps hands off and was not planned
 DIAL = "angle_deg"  # in a prompt's drawing: to which a person turns the platform
 ENDED = QT_TRANSLATE_NOOP("Words", "{0}: no answer from {1}")
@@ -106,7 +107,7 @@ def keep_off(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     mark = hands_of(known)[1] if told or run.alive else "good"
     if mark == "bad":  # in a run or at rest: a reason is known
         return _off(run, now)
-    out = asked_out(run, now) or _just_begins(run) or mark not in MAY
+    out = asked_out(run, now) or _just_begins(run) or _goes_on(run) or mark not in MAY
     return (translated(str(OUT)), OFF) if out else ("", "")
 
 
@@ -119,6 +120,11 @@ def begins(run: RunViewModel, now: LabNow) -> bool:
 def _just_begins(run: RunViewModel) -> bool:
     """From the click until the run has read the coils and has a step: a first start as one that goes on."""
     return run.alive and (run.unread or run.state == "starting")
+
+
+def _goes_on(run: RunViewModel) -> bool:
+    """Whether it does something and nobody is asked: no time to reach in, though nothing comes on before a question."""
+    return run.alive and run.state == "running"
 
 
 def asked_out(run: RunViewModel, now: LabNow) -> str:
@@ -188,6 +194,8 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
         return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
     if mark != "bad" and _just_begins(run):  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), OFF
+    if mark in MAY and _goes_on(run):
+        return translated(str(OUT_NOW)).format(translated(str(GOES_ON))), OFF
     if mark in MAY and (out := asked_out(run, now)):
         return out, OFF
     return words, mark
