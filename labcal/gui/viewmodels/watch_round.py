@@ -75,7 +75,8 @@ class WatchRound:
     def took(self, names: Sequence[str], seconds: float, *, silent: Collection[str] = ()) -> None:
         """So long it took until these were read, or, the `silent` ones, known to give no answer."""
         look = bool(names) and all(map(self._in_looks, names))
-        self._left_s = (seconds if seconds > COILS_S else 0.0) if look else self._left_s - seconds
+        slow = seconds > COILS_S and not silent  # one that fell silent waits no more; the others may have fallen too
+        self._left_s = seconds * slow if look else self._left_s - seconds
         if look and not silent:
             self._took_s.append(seconds)
         elif not look:
