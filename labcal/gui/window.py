@@ -122,7 +122,9 @@ class Window(Frame):
         self.sound_switch.clicked.connect(self._other_sound)
         self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
         self.next.clicked.connect(self._go_on)
-        described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.press), self.tr("what is next for this DUT"))
+        next_key = QShortcut(QKeySequence("Ctrl+N"), self, self.next.press)
+        next_key.setAutoRepeat(False)  # held down, it begins nothing that nobody has read
+        described(next_key, self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         app_state.one_dut.changed.connect(self._show_next)
         self._show_path()
@@ -305,8 +307,8 @@ class Window(Frame):
             return field.setFocus(Qt.FocusReason.TabFocusReason)  # it is in sight: the page stays, with what is on it
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
-        elif callable(close_ended := getattr(self.lazy_pages[to.page].page, "close_ended", None)):
-            close_ended()  # what is chosen may begin, and its form comes into sight
+        elif callable(begin := getattr(self.lazy_pages[to.page].page, "begin", None)):
+            return begin()
         at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
         for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
