@@ -10501,6 +10501,10 @@ after this step …</source>
         <source>{0} (not simulated)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

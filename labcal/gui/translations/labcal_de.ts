@@ -10502,6 +10502,10 @@ diesem Schritt …</translation>
         <source>{0} (not simulated)</source>
         <translation>{0} (nicht simuliert)</translation>
     </message>
+    <message>
+        <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation>Die Knöpfe der Messung haben gerade gewechselt: nichts wurde getan. Noch einmal drücken.</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>

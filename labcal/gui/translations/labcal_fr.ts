@@ -10502,6 +10502,10 @@ cette étape …</translation>
         <source>{0} (not simulated)</source>
         <translation>{0} (non simulé)</translation>
     </message>
+    <message>
+        <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation>Les boutons de la mesure viennent de changer : rien n&apos;a été fait. Appuyez de nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>WorkBar</name>
