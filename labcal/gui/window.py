@@ -298,7 +298,7 @@ class Window(Frame):
 
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
-        to = self.app_state.path.next()
+        to, before = self.app_state.path.next(), self.page_shown()
         if to.off:
             return self.app_state.off.order()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
@@ -312,7 +312,7 @@ class Window(Frame):
         at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
         for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
-            self.lazy_pages[to.page].show_part(widget)
+            self.lazy_pages[to.page].show_part(widget, alone=before != to.page)
         return None
 
     def _scanned(self, text: str) -> None:
