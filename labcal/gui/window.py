@@ -308,7 +308,8 @@ class Window(Frame):
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
         elif callable(begin := getattr(self.lazy_pages[to.page].page, "begin", None)):
-            return begin()
+            begin()
+            return None
         at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
         for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
