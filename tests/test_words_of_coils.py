@@ -113,7 +113,7 @@ NO_CLAIM = {
     "DUT less reference, coils off": ASKED,
     "Coil {} makes a gradient now, with the current of {} µT. Hands off?": ASKED,
     "COILS OFF": HELP,
-    "For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.": HELP,
+    "The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with.": HELP,
     "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.": HELP,
     "its watchdog has taken it to zero": READ,
     "its output is off": READ,

@@ -28,7 +28,7 @@ from labcal.gui.top_bar import TopBar
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
-from labcal.gui.viewmodels.number_format import turns_written
+from labcal.gui.viewmodels.number_format import short_number, turns_written
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, label, named, plain, set_state
@@ -205,10 +205,10 @@ class Frame(QMainWindow):
 
     def keys(self) -> list[tuple[str, str]]:
         """Every key with what it does: those that are heard before any other, then the shortcuts that there are."""
-        held = ", ".join(key.name.removeprefix("Key_") for key in KEYS)
+        held, held_s = ", ".join(key.name.removeprefix("Key_") for key in KEYS), short_number(HOLD_MS / 1000)
         first = {
             OFF_KEY.name.removeprefix("Key_"): self.tr("coils off, at any moment"),
-            held: self.tr("held for {0:g} s: the answer on the button of this key").format(HOLD_MS / 1000),
+            held: self.tr("held for {0} s: the answer on the button of this key").format(held_s),
             "Tab": self.tr(
                 "to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, "
                 "but no answer that mounts, energises or moves: its own key is held"

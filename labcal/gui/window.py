@@ -122,7 +122,9 @@ class Window(Frame):
         self.sound_switch.clicked.connect(self._other_sound)
         self.language_switch.clicked.connect(lambda: self.language_wanted.emit(following(spoken())))
         self.next.clicked.connect(self._go_on)
-        described(QShortcut(QKeySequence("Ctrl+N"), self, self.next.press), self.tr("what is next for this DUT"))
+        next_key = QShortcut(QKeySequence("Ctrl+N"), self, self.next.press)
+        next_key.setAutoRepeat(False)  # held down, it begins nothing that nobody has read
+        described(next_key, self.tr("what is next for this DUT"))
         app_state.path.changed.connect(self._show_path)
         app_state.one_dut.changed.connect(self._show_next)
         self._show_path()
@@ -296,7 +298,7 @@ class Window(Frame):
 
     def _go_on(self) -> None:
         """To what is next; where it is to say which DUT or who works here, into the field that is wanted."""
-        to = self.app_state.path.next()
+        to, before = self.app_state.path.next(), self.page_shown()
         if to.off:
             return self.app_state.off.order()
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
@@ -305,12 +307,13 @@ class Window(Frame):
             return field.setFocus(Qt.FocusReason.TabFocusReason)  # it is in sight: the page stays, with what is on it
         if self.page_shown() != to.page or not to.ready:  # what was chosen on the Run page stays chosen
             self.app_state.go(to)
-        elif callable(close_ended := getattr(self.lazy_pages[to.page].page, "close_ended", None)):
-            close_ended()  # what is chosen may begin, and its form comes into sight
+        elif callable(begin := getattr(self.lazy_pages[to.page].page, "begin", None)):
+            begin()
+            return None
         at_the_top = self.top.wanted(self.app_state.lab.state) if to.page == "Start" else None
         for widget in [one for one in (at_the_top, *begins_at(self.lazy_pages[to.page])) if one is not None][:1]:
             widget.setFocus(Qt.FocusReason.TabFocusReason)
-            self.lazy_pages[to.page].show_part(widget)
+            self.lazy_pages[to.page].show_part(widget, alone=before != to.page)
         return None
 
     def _scanned(self, text: str) -> None:

@@ -262,7 +262,11 @@ def test_until_when_it_will_be_good_and_whence_that_comes_is_said_before_it_is_s
     assert page.steps.stated.until.property("state") == "bad"
     assert not page.steps.approve.isEnabled()
     assert "2025-01-01 is over" in page.steps.approval.wrong.text()
-    page.steps.stated.until.setText("21.13.2027")
+    for refused in ("2025-01-01", "21.13.2027", "31.2.2027"):  # one is stated, and it is not taken
+        page.steps.stated.until.setText(refused)
+        assert page.steps.approval.wrong.text()
+        assert (valid.text(), beside_its_field.text()) == ("", "")
+    page.steps.stated.until.setText("")
     assert valid.text().startswith("No last day of use is stated")
     page.refresh()
     told(page, replace(APPROVED, until="2027-11-21"), "a.smith")

@@ -1,4 +1,4 @@
-"""Closing the window in a run asks first: stop, keep running behind, resume later, or back."""
+"""Closing the window in a run asks first: stop, keep running behind, or back."""
 
 import time
 
@@ -47,14 +47,23 @@ class Painted(QObject):
 
 
 def press(qtbot, window, way):
+    """A click on its button; `stop`: on Stop where the procedure cannot be gone on with, `later`: where it can."""
+    if way == "stop":
+        ask_of_what_cannot_be_gone_on_with(window)
     qtbot.mouseClick(window.leaving.question.buttons[way], Qt.MouseButton.LeftButton)
+
+
+def ask_of_what_cannot_be_gone_on_with(window):
+    window.leaving.question.close()
+    window.app_state.path.resumable = frozenset()
+    window.close()
 
 
 def test_nothing_is_closed_or_said_before_an_answer(qtbot, running):
     question = running.leaving.question
     assert (running.isVisible(), question.isVisible(), running.hung_up) == (True, True, [])
     assert running.app_state.bench_worker.said == []
-    assert {"Stop", "Keep running behind", "Go on later"} == {one.text() for one in question.buttons.values()}
+    assert {"Stop", "Keep running behind"} == {one.text() for one in question.buttons.values()}
     assert question.findChild(type(question.back), "off").isVisible()
     assert question.back.isDefault()
     qtbot.keyClick(question, Qt.Key.Key_Return)
@@ -148,11 +157,13 @@ def test_the_question_is_whole_and_says_how_the_platform_is(qtbot, running):
     assert question.rect().contains(question.back.geometry())
 
 
-def test_a_procedure_that_cannot_be_gone_on_with_offers_no_later(running):
-    running.leaving.question.close()
-    running.app_state.path.resumable = frozenset()
-    running.close()
-    assert set(running.leaving.question.buttons) == {"stop", "behind"}
+def test_stop_says_what_it_leaves_as_stop_on_the_run_page_does(qtbot, running):
+    """It was "for good" here, and left a run to be gone on with there."""
+    (stop,) = (tip for words, tip in running.leaving.question.ways.values() if words == "Stop")
+    assert "Go on, on the Start page" in stop
+    ask_of_what_cannot_be_gone_on_with(running)
+    (stop,) = (tip for words, tip in running.leaving.question.ways.values() if words == "Stop")
+    assert "cannot be gone on with" in stop
 
 
 @pytest.mark.parametrize("tray", [pytest.param(True, marks=pytest.mark.slow), False])

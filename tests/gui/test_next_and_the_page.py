@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import pytest
+from PySide6.QtCore import Qt
 from test_nothing_is_cut import other_language as other_language
 from test_path import RUN, calibration
 
@@ -77,9 +78,9 @@ def test_start_has_in_blue_what_next_goes_on_with_and_no_other(still, last):
     assert (choose.go_on.objectName() == "primary") == (resumes is not None)
 
 
-@pytest.mark.parametrize("status", ["finished", "stopped", "failed: reference is silent"])
-def test_next_begins_by_closing_the_run_that_has_ended(still, status):
-    """Next: Begin rotate-axis, on the page of a run that has ended, did nothing."""
+@pytest.mark.parametrize("status", ["finished", "stopped", "interrupted", "failed: reference is silent"])
+def test_next_closes_the_run_that_has_ended_and_begins(still, qtbot, status):
+    """Next: Begin rotate-axis, on the page of a run that has ended, began nothing."""
     app_state, page = still.app_state, still.page("Run")
     page.choose.choose("rotate-axis")
     app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
@@ -87,10 +88,26 @@ def test_next_begins_by_closing_the_run_that_has_ended(still, status):
     still.open_page("Run")
     assert page.faces.currentWidget() is page.live
     assert still.next.text() == "Next: Begin rotate-axis"
-    still.next.click()
+    page.choose.form.set_text("turns", "3")
+    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
+    order = app_state.run.order
+    assert (order.procedure, order.given["turns"], app_state.run.state) == ("rotate-axis", "3", "starting")
+    assert len(app_state.bench_worker.commands(RunProcedure)) == 1
+    assert page.faces.currentWidget() is page.live
+
+
+def test_next_begins_nothing_that_begin_would_not(still):
+    """It is said no longer as soon as it may not be; were it pressed in that moment, nothing would begin."""
+    app_state, page = still.app_state, still.page("Run")
+    page.choose.choose("rotate-axis")
+    app_state.run.start(RunProcedure("rotate-axis", "bench.toml", {}, "EM-07", "J. Doe"))
+    app_state.bench_worker.answer(RunProcedure, Ended("r2", "stopped"))
+    still.open_page("Run")
+    page.choose.form.set_text("turns", "many")
+    assert not still.next.text().startswith("Next: Begin")
+    page.begin()
+    assert app_state.run.state == "ended"
     assert page.faces.currentWidget() is page.choose
-    assert page.choose.list.currentItem().text() == "rotate-axis"
-    assert still.focusWidget() is page.choose.start
 
 
 @pytest.mark.parametrize("other_language", ["de", "fr"], indirect=True)

@@ -286,10 +286,6 @@ def test_without_a_bench_next_leads_to_where_one_is_opened_and_points_at_the_but
 
 
 def test_next_points_at_the_one_thing_to_do_where_the_page_stands_already(still, path, qtbot):
-    start = still.page("Run").choose.start
-    still.sidebar.setFocus()
-    qtbot.mouseClick(still.next, Qt.MouseButton.LeftButton)
-    assert (still.page_shown(), start.hasFocus(), start.text()) == ("Run", True, "Begin")
     page = still.page("Certificate")
     path.take_runs((DONE,))
     path.take_calibrations((calibration(signed=False),))

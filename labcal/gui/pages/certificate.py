@@ -40,6 +40,7 @@ MOST_ROWS = 80  # of the table are seen without rolling it
 class CertificatePage(QWidget):
     """The chosen calibration, where it stands, its four steps from draft to file, and its figures below them."""
 
+    opens_at_top = True  # how the file stands, before what is to be done with it
     shows_only = True  # where there is no room for it the page is scrolled, and nothing in it is squeezed
 
     def __init__(self, app_state: AppState, theme: Theme) -> None:

@@ -197,9 +197,10 @@ class SigningSteps(StepRow):
         refused = refused if draft else ""
         self.approval.say_wrong(refused)
         typed, stated_there = self.stated.stated()[0], one is not None and self._stated_by_approval(one)
-        valid = "" if one is None else valid_words(one, typed)
+        no_day = one is None or (stated_there and bool(self.stated.objection()))  # what is refused states nothing else
+        valid = "" if one is None or no_day else valid_words(one, typed)
         self.valid_once_approved.setText(valid if stated_there else "")
-        self.valid.setText(until_words(one, typed) if one is not None and stated_there else valid)
+        self.valid.setText(until_words(one, typed) if valid and one is not None and stated_there else valid)
         self.approver.setEnabled(draft)  # nobody can be added after the first signature
         whole = one is not None and not one.not_measured
         self.approve.setEnabled(draft and whole and bool(approver) and not refused)

@@ -10,7 +10,7 @@ from functools import partial
 from importlib.metadata import EntryPoint
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QScrollArea, QVBoxLayout, QWidget
 
 from labcal.errors import InputError
@@ -170,17 +170,24 @@ class LazyPage(QWidget):
         parts = [] if self.page is None else [*reversed(self.page.findChildren(QWidget)), self.page]
         return (partial(part.set_theme, theme) for part in parts if isinstance(part, Themed))
 
-    def show_part(self, widget: QWidget) -> None:
-        """Scroll to the card that `widget` stands in; what has the focus already would not come into sight."""
+    def show_part(self, widget: QWidget, *, alone: bool = False) -> None:
+        """Scroll to the card that `widget` stands in; what has the focus already would not come into sight.
+
+        `alone`: no further than to `widget` itself, for a page that is just opened, whose heading tells what it is.
+        """
         if not self.place.isAncestorOf(widget):
             return
         card: QWidget | None = widget
         while card is not None and card is not self.place and not isinstance(card, Card):
             card = card.parentWidget()
-        self.area.ensureWidgetVisible(card if isinstance(card, Card) else widget)
-        self.area.ensureWidgetVisible(widget)  # of a card that is higher than the page
+        if not alone:
+            self.area.ensureWidgetVisible(card if isinstance(card, Card) else widget)
+        margin = 0 if alone else 50  # as Qt has it
+        self.area.ensureWidgetVisible(widget, margin, margin)  # of a card that is higher than the page
 
-    def showEvent(self, event: object) -> None:
-        """Ask to be built next."""
+    def showEvent(self, event: QShowEvent) -> None:
+        """Ask to be built next; a page that says so is opened at its top, however far it was rolled."""
+        if getattr(self.page, "opens_at_top", False) and not event.spontaneous():
+            self.area.verticalScrollBar().setValue(0)
         if not self.ready:
             self.wanted.emit()

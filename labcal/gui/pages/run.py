@@ -63,10 +63,11 @@ class RunPage(QWidget):
         """The setting that is to be mended before anything else."""
         return self.choose.refused_field() if self.faces.currentWidget() is self.choose else None
 
-    def close_ended(self) -> None:
-        """Back to the form, with what is chosen there, where a run that has ended is in sight."""
-        if self._app_state.run.state == "ended" and self.faces.currentWidget() is not self.choose:
+    def begin(self) -> None:
+        """As Close, where a run that has ended is in sight, then Begin: what is chosen, if it may begin."""
+        if not self._app_state.run.alive and self.faces.currentWidget() is not self.choose:
             self._put_away()
+        self.choose.start.click()
 
     def _open_wanted(self) -> None:
         if (wanted := self._app_state.take_wanted()) is not None:

@@ -21,13 +21,14 @@ from labcal.gui.viewmodels.lab_now import OFF
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.off_headline import off_headline
 from labcal.gui.viewmodels.run_steps import may_pause
-from labcal.gui.viewmodels.run_verdict import keeps_a_turn, run_verdict, to_be_fitted
+from labcal.gui.viewmodels.run_verdict import ended_for_another, keeps_a_turn, run_verdict, to_be_fitted
 from labcal.gui.viewmodels.what_happens import hands_at, headline_state, keep_off, kept_out, what_happens
+from labcal.gui.widgets.act_button import ActButton, in_a_row
 from labcal.gui.widgets.acts_card import ActsCard
 from labcal.gui.widgets.answer_for import AnswerForCard
 from labcal.gui.widgets.axis_lights import AxisLights
 from labcal.gui.widgets.bar_in_margin import WholeInWidth
-from labcal.gui.widgets.common import Card, FaceStack, button, deferred_layout, label, set_primary, set_state
+from labcal.gui.widgets.common import Card, FaceStack, deferred_layout, label, set_primary, set_state
 from labcal.gui.widgets.covered_bar import CoveredBar
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.flow import Flow
@@ -123,19 +124,20 @@ class Live(QWidget):
         return card
 
     def _buttons(self) -> Flow:
-        self.pause = button(self.tr("Pause"), self.tr("Wait where the next step begins, with the coils at zero"))
+        says = self.tr("Pause"), self.tr("Pausing\nafter this step …"), self.tr("Go on")
+        self.pause = ActButton(says, self.tr("Wait where the next step begins, with the coils at zero"))
         self.pause.clicked.connect(self._pause_or_go_on)
-        self.stop = button(
+        self.stop = ActButton(
             self.tr("Stop"), self.tr("End this run now, in order. The coils go to zero; what was measured is kept.")
         )
         self.stop.clicked.connect(self._run.stop)
-        self.close_run = button(self.tr("Close"), self.tr("Back to the procedures; the run is in the History"))
+        self.close_run = ActButton(self.tr("Close"), self.tr("Back to the procedures; the run is in the History"))
         self.close_run.clicked.connect(self.put_away)
-        self.go_on = button(self.tr("Go on"), self.tr("What is missing of this run"), primary=True)
+        self.go_on = ActButton(self.tr("Go on"), self.tr("What is missing of this run"), primary=True)
         self.go_on.clicked.connect(self._resume)
-        self.fit = button(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
+        self.fit = ActButton(self.tr("Fit"), self.tr("Estimate the calibration from this run"), primary=True)
         self.fit.clicked.connect(self._fit)
-        return Flow(self.pause, self.stop, self.close_run, self.go_on, self.fit)
+        return in_a_row(self._app_state.said_for_now, self.pause, self.stop, self.close_run, self.go_on, self.fit)
 
     def _middle(self) -> QWidget:
         self.prompt = PromptCard(self._theme)
@@ -216,8 +218,7 @@ class Live(QWidget):
         whose = (run.order.dut, run.order.operator, run.began) if run.order else ()
         self.whose.setText(" · ".join(filter(None, whose)))
         self._show_steps()
-        waits = self.tr("Pausing\nafter this step …") if run.pausing else self.tr("Pause")
-        self.pause.setText(self.tr("Go on") if run.state == "paused" else waits)
+        self.pause.say(2 if run.state == "paused" else int(run.pausing))
         self.pause.setEnabled(may_pause(run.state, run.step, pausing=run.pausing) and not self._just_went_on.isActive())
         self.stop.setEnabled(run.alive and run.state != "stopping" and not self._just_went_on.isActive())
         turned = run.turns() or bool(run.drawn.now)  # else nothing is recorded, and there is nothing to fit
@@ -313,12 +314,7 @@ class Live(QWidget):
 
     def _coils_known(self) -> None:
         """They were switched off after a run that failed: its card knows. No result stays under another's serial."""
-        if (
-            self._run.state == "ended"
-            and self._run.order
-            and self._run.order.dut  # else the run was of whatever the bench holds
-            and self._run.order.dut != self._app_state.lab.state.dut_serial
-        ):
+        if ended_for_another(self._run, self._app_state.lab.state.dut_serial):
             self.put_away.emit()
         self._say_lab()
         self._show_below()

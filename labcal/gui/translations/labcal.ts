@@ -647,15 +647,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Go on later</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6380,7 +6376,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>held for {0:g} s: the answer on the button of this key</source>
+        <source>held for {0} s: the answer on the button of this key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10507,6 +10503,10 @@ after this step …</source>
     </message>
     <message>
         <source>{0} (not simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The buttons of the run have just changed: nothing was done. Press again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

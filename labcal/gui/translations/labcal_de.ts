@@ -643,12 +643,12 @@
         <translation>Eine Messung läuft: {0}</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Stopp</translation>
+        <source>The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with.</source>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt; diese Prozedur kann nicht fortgesetzt werden.</translation>
     </message>
     <message>
-        <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
-        <translation>Endgültig: Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt, es geht damit aber nicht weiter.</translation>
+        <source>Stop</source>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
@@ -661,10 +661,6 @@
     <message>
         <source>The window goes out of sight, and comes back when you are needed or the run has ended.</source>
         <translation>Das Fenster verschwindet und kommt wieder, wenn Sie gebraucht werden oder die Messung zu Ende ist.</translation>
-    </message>
-    <message>
-        <source>Go on later</source>
-        <translation>Später weiter</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -6380,8 +6376,8 @@
         <translation>Spulen aus, jederzeit</translation>
     </message>
     <message>
-        <source>held for {0:g} s: the answer on the button of this key</source>
-        <translation>{0:g} s gehalten: die Antwort auf dem Knopf dieser Taste</translation>
+        <source>held for {0} s: the answer on the button of this key</source>
+        <translation>{0} s gehalten: die Antwort auf dem Knopf dieser Taste</translation>
     </message>
     <message>
         <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
@@ -10509,6 +10505,10 @@ diesem Schritt …</translation>
     <message>
         <source>{0} (not simulated)</source>
         <translation>{0} (nicht simuliert)</translation>
+    </message>
+    <message>
+        <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation>Die Knöpfe der Messung haben gerade gewechselt: nichts wurde getan. Noch einmal drücken.</translation>
     </message>
 </context>
 <context>

@@ -643,12 +643,12 @@
         <translation>Une mesure est en cours : {0}</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>Stop</translation>
+        <source>The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with.</source>
+        <translation>Les bobines vont à zéro, la fenêtre se ferme. Ce qui a été mesuré est gardé ; cette procédure ne peut pas être reprise.</translation>
     </message>
     <message>
-        <source>For good: the coils go to zero, the window closes. What is measured is kept, but cannot be gone on with.</source>
-        <translation>Pour de bon : les bobines vont à zéro, la fenêtre se ferme. Ce qui est mesuré est conservé, mais ne peut être repris.</translation>
+        <source>Stop</source>
+        <translation>Stop</translation>
     </message>
     <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
@@ -661,10 +661,6 @@
     <message>
         <source>The window goes out of sight, and comes back when you are needed or the run has ended.</source>
         <translation>La fenêtre disparaît, et revient quand on a besoin de vous ou que la mesure est finie.</translation>
-    </message>
-    <message>
-        <source>Go on later</source>
-        <translation>Continuer plus tard</translation>
     </message>
     <message>
         <source>Back to the run</source>
@@ -6380,8 +6376,8 @@
         <translation>bobines à zéro, à tout moment</translation>
     </message>
     <message>
-        <source>held for {0:g} s: the answer on the button of this key</source>
-        <translation>tenue {0:g} s : la réponse du bouton de cette touche</translation>
+        <source>held for {0} s: the answer on the button of this key</source>
+        <translation>tenue {0} s : la réponse du bouton de cette touche</translation>
     </message>
     <message>
         <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
@@ -9824,11 +9820,11 @@ cette étape …</translation>
     </message>
     <message>
         <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT rms de |b|, pas plus que son bruit, {1} nT rms La page Causes juge la direction.</translation>
+        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT rms de |b|, pas plus que son bruit, {1} nT rms. La page Causes juge la direction.</translation>
     </message>
     <message>
         <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
-        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT rms de |b|, son bruit est de {1} nT rms</translation>
+        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT rms de |b|, son bruit est de {1} nT rms.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
@@ -10509,6 +10505,10 @@ cette étape …</translation>
     <message>
         <source>{0} (not simulated)</source>
         <translation>{0} (non simulé)</translation>
+    </message>
+    <message>
+        <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation>Les boutons de la mesure viennent de changer : rien n&apos;a été fait. Appuyez de nouveau.</translation>
     </message>
 </context>
 <context>

@@ -138,6 +138,11 @@ def run_verdict(
     return RunVerdict(word, state, rule, _next(worst if fitted or worst != "PASS" else _without(run)))
 
 
+def ended_for_another(run: RunViewModel, serial: str) -> bool:
+    """Whether a run has ended that was of another DUT than `serial`; one without a DUT was of what the bench holds."""
+    return run.state == "ended" and run.order is not None and run.order.dut not in ("", serial)
+
+
 def to_be_fitted(run: RunViewModel) -> bool:
     """Whether a calibration is the next thing to make of a run that has ended."""
     return run.status == "finished" and run.order is not None and calibrates(run.order.procedure)

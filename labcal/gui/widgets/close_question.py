@@ -1,4 +1,4 @@
-"""What a person who closes the window in a run is asked: stop it, keep it running behind, or go on with it later."""
+"""What a person who closes the window in a run is asked: to stop it, as on the Run page, or keep it running behind."""
 
 from __future__ import annotations
 
@@ -35,28 +35,19 @@ class CloseQuestion(GrowingDialog):
         column.addWidget(self.keep_off)
         column.addWidget(label(self.tr("A run goes on: {0}").format(run), "title", wrap=True))
         self.lab_lines = LabLines()
-        self.ways = {
-            "stop": (
-                self.tr("Stop"),
-                self.tr(
-                    "For good: the coils go to zero, the window closes. What is measured is kept, "
-                    "but cannot be gone on with."
-                ),
-            ),
+        later = self.tr(
+            "The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page."
+        )
+        kept = self.tr(
+            "The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with."
+        )
+        self.ways: dict[Way, tuple[str, str]] = {
+            "later" if resumable else "stop": (self.tr("Stop"), later if resumable else kept),
             "behind": (
                 self.tr("Keep running behind"),
                 self.tr("The window goes out of sight, and comes back when you are needed or the run has ended."),
             ),
-            "later": (
-                self.tr("Go on later"),
-                self.tr(
-                    "The coils go to zero, the window closes. What is missing is measured later: "
-                    "Go on, on the Start page."
-                ),
-            ),
         }
-        if not resumable:
-            del self.ways["later"]
         self.buttons = {way: button(words, tip) for way, (words, tip) in self.ways.items()}
         for row, (way, (_, tip)) in enumerate(self.ways.items()):
             self.buttons[way].clicked.connect(lambda _=False, one=way: self._choose(one))

@@ -18,6 +18,8 @@ from PySide6.QtGui import QInputEvent, QKeyEvent, QMouseEvent, QPainter, QPaintE
 from PySide6.QtWidgets import QApplication, QDialog, QPushButton, QWidget
 from shiboken6 import isValid
 
+from labcal.gui.viewmodels.number_format import format_number
+
 HOLD_MS = 700
 LET_GO_MS = 150  # a key that comes down again sooner was not let go
 FILL_MS, FILL_PX = 30, 6
@@ -227,7 +229,7 @@ class HoldButton(QPushButton):
             words = self.tr("▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.")
         elif self.held_by_mouse:
             words = self.tr("▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.")
-        return self.tapped.emit(words.format(f"{lasted_ms / 1000:.1f}", self._key_name()))
+        return self.tapped.emit(words.format(format_number(lasted_ms / 1000, signed=False), self._key_name()))
 
     def _key_name(self) -> str:
         return self.key.name.removeprefix("Key_")
