@@ -300,7 +300,7 @@ class PathViewModel(QObject):
 
     def _of_the_fit(self, last: RunLine) -> Mark:
         studied = self._study.of(last.run_id)
-        if studied is not None and studied.busy and not studied.traces:
+        if studied is not None and studied.computes and not studied.traces:  # a look at it is no fit
             return "now"
         fitted = (studied is not None and studied.best() is not None) or self._file(last) is not None
         return "done" if fitted else "broken" if studied is not None and studied.no_fit else "open"
