@@ -8,8 +8,8 @@ from test_choose import looked_at, told_by_the_loop
 from test_languages import restored as restored
 from test_path import DONE, RUN, calibration
 
-from labcal.gui.ipc.answers import Ended
-from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
+from labcal.gui.ipc.answers import Ended, FitFigures, Fitted
+from labcal.gui.ipc.messages import CloseLoop, FitRun, ListCalibrations, ListMethods, ListRuns, LookAt, RunProcedure
 from labcal.gui.reopened import Shown
 
 OF_SIM = replace(RUN, run_id="r0", dut_serial="SIM-0001", simulated=True)
@@ -141,9 +141,10 @@ def test_the_page_in_sight_shows_the_newest_run_of_a_dut_that_is_back_though_it_
     assert certified.app_state.study_vm.run == "r1"
 
 
-def test_what_a_person_chose_on_a_page_since_the_dut_was_said_stays(certified, qtbot):
-    say_dut(qtbot, certified, "EM-08")
-    say_dut(qtbot, certified, "EM-07")
+def test_what_a_person_chose_on_a_page_since_the_dut_was_said_stays(certified):
+    certified.open_page("Fit")
+    certified.app_state.set_identity(dut="EM-08")
+    certified.app_state.set_identity(dut="EM-07")
     choose_on(certified, "Fit", "r0")
     certified.open_page("Loop")
     assert certified.app_state.study_vm.run == "r0"
@@ -214,3 +215,19 @@ def test_a_loop_of_a_run_that_was_never_looked_at_is_not_lost(still):
     study.open("r0")
     study.open("r1")
     assert study.loop is not None
+
+
+def test_next_tries_the_other_methods_on_the_run_that_had_no_fit_and_not_on_the_one_in_sight(still, qtbot):
+    study, worker = still.app_state.study_vm, still.app_state.fit_worker
+    still.app_state.path.take_runs((RUN, OF_SIM))
+    for run, dut in (("r0", "SIM-0001"), ("r1", "EM-07")):
+        still.app_state.one_dut.open(run)
+        answer_looks(still, run, dut)
+    study.methods = ("ml", "centered")
+    study.fits["ml"] = Fitted(FitFigures(False, "no turn"))
+    still.app_state.one_dut.open("r0")
+    study.fits |= dict.fromkeys(study.methods, Fitted(FitFigures(False, "no turn")))  # nothing is left to try there
+    still.open_page("Fit")
+    assert "Next: Try the other methods" in still.next.text()
+    press_next(qtbot, still)
+    assert [(one.run, one.method) for one in worker.commands(FitRun)] == [("r1", "centered")]

@@ -231,8 +231,9 @@ class PathViewModel(QObject):
             words = self.tr("See how far the trace is") if traces else self.tr("See how far the fit is")
             return Next("Loop" if traces else "Fit", words, last.run_id, waits=True)
         if marks["Fit"] == "broken":
-            others = Next("Fit", self.tr("Try the other methods"), presses=True)
-            return others if self._study.untried else self._to_calibrate(state.dut_serial, again=True)
+            others = Next("Fit", self.tr("Try the other methods"), presses=True, of=last.run_id)
+            left = studied is not None and studied.untried(self._study.methods)
+            return others if left else self._to_calibrate(state.dut_serial, again=True)
         if marks["Fit"] == "open":
             return Next("Fit", self.tr("Fit the run"), last.run_id)
         if marks["Loop"] == "open":

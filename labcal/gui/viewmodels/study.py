@@ -93,7 +93,7 @@ class StudyViewModel(QObject):
     @property
     def untried(self) -> tuple[str, ...]:
         """The methods that are left where others came to nothing; none where not even one could begin."""
-        return tuple(one for one in self.methods if one not in self.fits) if self.fits else ()
+        return self.shown.untried(self.methods)
 
     def prepare(self) -> None:
         """Have the worker loaded before a run is opened: what it computes with takes a second to import."""
