@@ -46,6 +46,7 @@ class Shown:
             run.say_how_it_ended()
         said_at = lab.state.said_at if ended else ""  # the words are new, what they tell is not
         lab.update(message=run.message if ended else "", said_at=said_at)  # all else is in the other language
+        old.app_state.one_dut.begin_anew()
         self.window = Window(old.app_state)
         self._listen()
         self.window.setGeometry(old.geometry())

@@ -285,7 +285,7 @@ class Window(Frame):
         warned = app_state.off.warns and not app_state.run.alive and to.page != "Bench"  # the red card comes first
         calm = not warned and not (here and app_state.run.alive)  # what a question asks is pressed on its own card
         QTimer.singleShot(0, self, lambda: one_is_blue(self.next, self.stack.currentWidget(), calm=calm))
-        nothing_to_do = to.waits and here
+        nothing_to_do = to.waits and here and app_state.one_dut.shows(to)
         self.next.setVisible(not (nothing_to_do and app_state.run.alive))  # who is needed when stands beside the steps
         self.next.setDisabled(app_state.login.locked or app_state.scan_vm.asks or nothing_to_do)
 
@@ -301,6 +301,7 @@ class Window(Frame):
         to, before = self.app_state.path.next(), self.page_shown()
         if to.off:
             return self.app_state.off.order()
+        self.app_state.one_dut.turn_to(to)  # its page may show another one's
         if self.page_shown() == to.page and (does := pressed_by_next(self.lazy_pages, to)) is not None:
             return does.click()
         if to.in_the_bar and (field := self.top.wanted(self.app_state.lab.state)) is not None:

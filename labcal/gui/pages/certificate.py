@@ -47,7 +47,7 @@ class CertificatePage(QWidget):
         super().__init__()
         self._app_state = app_state
         self._files: dict[str, CalibrationFile] = {}
-        self._wanted = self._told_of = ""
+        self._wanted, self._told_of = app_state.one_dut.take_wanted(), ""
         self._for = self._asked_for = ""  # this DUT it was chosen
         self._copies: dict[str, str] = {}  # handed out: where it lies, and of which file it is
         column = QVBoxLayout(self)
@@ -78,6 +78,7 @@ class CertificatePage(QWidget):
         column.addStretch()
         app_state.calibrations_changed.connect(self._new)
         app_state.one_dut.changed.connect(self._other_dut)
+        app_state.one_dut.file_wanted.connect(self._turn)
         app_state.quick_worker.progress.connect(self._say_progress)
         app_state.path.changed.connect(self._say_path)
         self._show()
@@ -102,6 +103,13 @@ class CertificatePage(QWidget):
     def _new(self, path: str) -> None:
         self._wanted = path
         self.refresh()
+
+    def _turn(self) -> None:
+        """To the file that Next speaks of, at once where it is listed here."""
+        path = self._app_state.one_dut.take_wanted()
+        if (index := self.list.findData(path)) >= 0:
+            return self.list.setCurrentIndex(index)
+        return self._new(path)
 
     def _other_dut(self) -> None:
         """What is of another DUT than the one that is looked at does not stay in sight, unless it was chosen here."""
@@ -170,7 +178,8 @@ class CertificatePage(QWidget):
         before = self.chosen()
         here = self._app_state.one_dut.looked_at()
         mine = [one.path for one in files if one.dut.serial == here]
-        stays = before is not None and here in (self._for, before.dut.serial)
+        stays = self._app_state.one_dut.calibration is not None  # else another DUT was said since it was chosen
+        stays = stays and before is not None and here in (self._for, before.dut.serial)
         self._files = {one.path: one for one in files}
         kept = before.path if before is not None and stays else next(iter(mine), "")
         kept = self._wanted if self._wanted in self._files else kept

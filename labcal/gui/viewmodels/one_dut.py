@@ -23,6 +23,7 @@ class OneDut(QObject):
     """
 
     changed = Signal()  # what is shown
+    file_wanted = Signal()  # the Certificate page is to show the one that Next speaks of
 
     def __init__(
         self,
@@ -37,6 +38,8 @@ class OneDut(QObject):
         self.stated, self.proposed = False, False
         self.calibration: CalibrationFile | None = None  # the one on the Certificate page
         self._looked_from = ""  # what stood at the top when the run under study was opened
+        self._here, self._another = "", False  # what stands there; whether that was changed since one was opened
+        self._file_wanted = ""  # path of the file that Next has led to
         self._study.changed.connect(self.changed)
         self._path.changed.connect(self.changed)
         self._scan.changed.connect(self._scanned)
@@ -49,7 +52,7 @@ class OneDut(QObject):
 
     def open(self, run: str) -> None:
         """Study `run`, whosever it is."""
-        self._looked_from = self._lab.state.dut_serial
+        self._looked_from, self._another = self._lab.state.dut_serial, False
         self._study.open(run)
         self.changed.emit()
 
@@ -116,16 +119,51 @@ class OneDut(QObject):
 
         What is being computed of that goes on; and what was computed of this DUT's last run is shown again.
         """
-        studied, here = self.studied(), self._lab.state.dut_serial
-        if here == self._looked_from or self._run.alive or self._scan.asks:
+        if self._run.alive or self._scan.asks:
             return
-        self._looked_from = here
+        if self._another:
+            self._let_go_of_others()
+        if (last := self._path.last()) is not None and self._study.of(last.run_id) is not None:
+            self.take_up()
+
+    def begin_anew(self) -> None:
+        """The window is made anew: what it shows of another DUT is not what it begins with."""
+        self._another = bool(self._lab.state.dut_serial)
+        self.settle()
+
+    def _let_go_of_others(self) -> None:
+        """Of a DUT that has come back as well: what was looked at before it went is not what it came back for."""
+        studied, here = self.studied(), self._lab.state.dut_serial
+        self._looked_from, self._another = here, False
+        if self.calibration is not None and self.calibration.dut.serial != here:
+            self.calibration = None
+            self.changed.emit()
         if studied and studied != here:
             if self._study.busy:
                 self._lab.update(message=self.tr("{0}: what is being computed goes on.").format(studied))
             self._study.let_go()
-        if (last := self._path.last()) is not None and self._study.of(last.run_id) is not None:
             self.take_up()
+
+    def shows(self, to: Next) -> bool:
+        """Whether the page that Next leads to shows the run that it speaks of, or it speaks of none."""
+        return not to.about or self.on_page(to.page) == to.about
+
+    def turn_to(self, to: Next) -> None:
+        """Next is pressed: its page shows the run and the file that it speaks of, whatever was chosen there."""
+        if to.page in STUDIES and not self.shows(to):
+            self.open(to.about)
+        if to.page == "Certificate":
+            if self.studied() not in ("", self._lab.state.dut_serial):
+                self.open(to.about)
+            file, shown = self._path.kept(to.about), self.calibration
+            if file is not None and (shown is None or shown.path != file.path):
+                self._file_wanted = file.path
+                self.file_wanted.emit()
+
+    def take_wanted(self) -> str:
+        """The path of the file that Next has led to, once; "" where there is none."""
+        wanted, self._file_wanted = self._file_wanted, ""
+        return wanted
 
     def _scanned(self) -> None:
         self.stated = self.stated or self._scan.taken
@@ -134,6 +172,8 @@ class OneDut(QObject):
 
     def _keep(self, state: LabState) -> None:
         """Where a crash does not take it: the serial that was said last."""
+        if state.dut_serial != self._here:
+            self._here, self._another = state.dut_serial, True
         if self.stated and state.dut_serial != self._settings.value(KEPT, ""):
             self._settings.setValue(KEPT, state.dut_serial)
             self._settings.sync()

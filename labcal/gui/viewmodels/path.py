@@ -231,8 +231,9 @@ class PathViewModel(QObject):
             words = self.tr("See how far the trace is") if traces else self.tr("See how far the fit is")
             return Next("Loop" if traces else "Fit", words, last.run_id, waits=True)
         if marks["Fit"] == "broken":
-            others = Next("Fit", self.tr("Try the other methods"), presses=True)
-            return others if self._study.untried else self._to_calibrate(state.dut_serial, again=True)
+            others = Next("Fit", self.tr("Try the other methods"), presses=True, of=last.run_id)
+            left = studied is not None and studied.untried(self._study.methods)
+            return others if left else self._to_calibrate(state.dut_serial, again=True)
         if marks["Fit"] == "open":
             return Next("Fit", self.tr("Fit the run"), last.run_id)
         if marks["Loop"] == "open":
@@ -300,7 +301,7 @@ class PathViewModel(QObject):
 
     def _of_the_fit(self, last: RunLine) -> Mark:
         studied = self._study.of(last.run_id)
-        if studied is not None and studied.busy and not studied.traces:
+        if studied is not None and studied.computes and not studied.traces:  # a look at it is no fit
             return "now"
         fitted = (studied is not None and studied.best() is not None) or self._file(last) is not None
         return "done" if fitted else "broken" if studied is not None and studied.no_fit else "open"

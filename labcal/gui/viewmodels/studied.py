@@ -61,6 +61,10 @@ class Studied:
         """Whether what was tried has come to nothing."""
         return not self.busy and bool(self.fits or self.fault) and self.best() is None
 
+    def untried(self, methods: tuple[str, ...]) -> tuple[str, ...]:
+        """Of `methods` those that are left where others came to nothing; none where not even one could begin."""
+        return tuple(one for one in methods if one not in self.fits) if self.fits else ()
+
     def best(self, methods: tuple[str, ...] = ()) -> str | None:
         """Of the methods that came to a result, the first one in the order of `methods`, or as they were asked."""
         done = [m for m in methods or tuple(self.fits) if m in self.fits and self.fits[m].fit.ok]

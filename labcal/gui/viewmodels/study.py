@@ -93,7 +93,7 @@ class StudyViewModel(QObject):
     @property
     def untried(self) -> tuple[str, ...]:
         """The methods that are left where others came to nothing; none where not even one could begin."""
-        return tuple(one for one in self.methods if one not in self.fits) if self.fits else ()
+        return self.shown.untried(self.methods)
 
     def prepare(self) -> None:
         """Have the worker loaded before a run is opened: what it computes with takes a second to import."""
@@ -104,7 +104,7 @@ class StudyViewModel(QObject):
         if run == self.run and (self.look is not None or self.busy):
             return
         kept = self._kept.get(run)
-        self.shown = kept if kept is not None and (kept.look is not None or kept.busy) else self._new(run)
+        self.shown = kept if kept is not None and (kept.look or kept.loop or kept.busy) else self._new(run)
         if self.look is None and not self.busy:
             self._ask("look", LookAt(run), self.shown.take_look)
             if not self.methods:
