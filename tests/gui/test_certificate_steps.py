@@ -4,14 +4,13 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit
+from PySide6.QtWidgets import QApplication
 from test_path import RUN, SIGNATURE, calibration
 
 from labcal.gui.ipc.messages import Approve, ListCalibrations, ListKeys, NewKey, Sign
 from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.key_rules import as_key_name
 from labcal.gui.viewmodels.signing import steps
-from labcal.gui.widgets.folder_dialog import FolderDialog
 from labcal.gui.widgets.stated_fields import day_stated
 
 DRAFT = calibration(signed=False)
@@ -346,21 +345,6 @@ def test_each_sentence_on_how_a_file_stands_has_its_line_and_nobody_is_awaited_o
     assert page.standing.text().splitlines() == [*said, "Operator J. Doe."]
 
 
-def test_what_was_handed_out_is_said_below_the_buttons_and_takes_no_room_before(page):
-    told(page, RELEASED, "a.smith")
-    paper = page.paper
-    assert not paper.said.isVisible()
-    high = paper.height()
-    paper.said.setText("Written: here")
-    settle()
-    assert paper.said.isVisible()
-    assert paper.height() > high
-    assert paper.export.y() < paper.said.y()
-    paper.said.setText("")
-    settle()
-    assert paper.height() == high
-
-
 def test_enter_in_the_passphrase_signs_or_says_what_is_missing(qtbot, page):
     told(page, APPROVED, "a.smith")
     sign = page.steps
@@ -401,21 +385,3 @@ def test_what_a_step_says_is_not_said_twice(qtbot, new_page):
     assert page.steps.approval.words.text() == "Approved by a.smith."
     assert page.steps.approval.words.isVisible()
     assert not page.steps.approval.done.isVisible()
-
-
-@pytest.mark.parametrize("there", [True, False])
-def test_a_folder_that_is_there_is_taken_as_well_as_the_name_of_a_new_one(qtbot, page, tmp_path, there):
-    """Its button was grey, without a word, for a folder that is there."""
-    folder = tmp_path / "out"
-    if there:
-        folder.mkdir()
-    asks = FolderDialog(page, "Where to", "Copy here", "EM-07")
-    asks.open()
-    typed = asks.findChild(QLineEdit, "fileNameEdit")
-    typed.setText(str(folder))
-    settle()
-    button = asks.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
-    assert button.isEnabled()
-    button.click()
-    assert asks.result() == 1
-    assert asks.folder() == str(folder)

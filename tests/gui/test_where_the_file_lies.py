@@ -3,11 +3,12 @@
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit
 from test_certificate_steps import DRAFT, RELEASED, certificate_page, settle, told
 
 from labcal.gui.ipc.messages import HandOut
 from labcal.gui.widgets import open_externally
+from labcal.gui.widgets.folder_dialog import FolderDialog
 
 
 @pytest.fixture
@@ -48,3 +49,36 @@ def test_what_was_handed_out_lies_in_its_folder_and_that_can_be_copied(page, tmp
     assert QApplication.clipboard().text() == str(tmp_path)
     page.paper.folder.click()
     assert opened == [str(tmp_path)]
+
+
+def test_what_was_handed_out_is_said_below_the_buttons_and_takes_no_room_before(page):
+    told(page, RELEASED, "a.smith")
+    paper = page.paper
+    assert not paper.said.isVisible()
+    high = paper.height()
+    paper.said.setText("Written: here")
+    settle()
+    assert paper.said.isVisible()
+    assert paper.height() > high
+    assert paper.export.y() < paper.said.y()
+    paper.said.setText("")
+    settle()
+    assert paper.height() == high
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_a_folder_that_is_there_is_taken_as_well_as_the_name_of_a_new_one(qtbot, page, tmp_path, there):
+    """Its button was grey, without a word, for a folder that is there."""
+    folder = tmp_path / "out"
+    if there:
+        folder.mkdir()
+    asks = FolderDialog(page, "Where to", "Copy here", "EM-07")
+    asks.open()
+    typed = asks.findChild(QLineEdit, "fileNameEdit")
+    typed.setText(str(folder))
+    settle()
+    button = asks.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
+    assert button.isEnabled()
+    button.click()
+    assert asks.result() == 1
+    assert asks.folder() == str(folder)

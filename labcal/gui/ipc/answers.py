@@ -19,7 +19,6 @@ from labcal.gui.ipc.bench_facts import EarlierSupply as EarlierSupply
 from labcal.gui.ipc.bench_facts import Earth as Earth
 from labcal.gui.ipc.bench_facts import Instrument as Instrument
 from labcal.gui.ipc.bench_facts import Reference as Reference
-from labcal.gui.ipc.bench_facts import Triple as Triple
 from labcal.gui.ipc.wire import Fault
 from labcal.model.records import EffectRecord
 from labcal.record.run import Dut
