@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from labcal.geometry import rotate, rotation_vector
 from labcal.loop import close_loop
 from labcal.loop.candidates.changepoints import changepoints, explained_by_step
 from labcal.loop.candidates.delay_scan import delay_scan
-from labcal.loop.candidates.library import Candidate
+from labcal.loop.candidates.library import Candidate, Span
 from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.base_model import determined_by_geometry
@@ -29,6 +29,7 @@ from labcal.loop.noise.autocorrelation import correlation_time_s, serially_corre
 from labcal.loop.noise.nuisance import orthogonal_complement, orthonormal, principal_span
 from labcal.loop.selection.crossval import block_folds, cross_validate, fixed_choice, residual_lengths
 from labcal.loop.selection.joint_fit import joint_fit
+from labcal.loop.selection.misfit import likeliest
 from labcal.loop.selection.proof import against_own_base, relinearised
 from labcal.loop.selection.related import initial_state_columns
 from labcal.loop.selection.stepwise import stepwise_forward
@@ -188,13 +189,18 @@ def test_map_and_a_strong_bend_are_found_together(started: Started) -> None:
 
 def test_looks_that_are_nought_in_every_row_span_nothing_and_add_nothing() -> None:
     nought = principal_span(np.zeros((5, 3, 4)))
-    assert nought.shape == (5, 3, 0)
+    assert nought.shape == principal_span(np.zeros((5, 3, 0))).shape == (5, 3, 0)
     assert orthogonal_complement(np.ones((5, 3, 1)), nought).shape == (5, 3, 0)
     some = np.random.default_rng(1).normal(size=(5, 3, 2))
     part = np.concatenate([some[:, :, 1:], np.zeros((5, 3, 1))], axis=2)
     standing = orthonormal(np.concatenate([some[:, :, :1], np.zeros((5, 3, 1))], axis=2))
     assert standing.shape == orthogonal_complement(standing, part).shape == (5, 3, 1)
     assert np.sum(standing * orthogonal_complement(standing, part)) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_a_form_that_is_in_the_base_whole_has_nothing_to_miss() -> None:
+    model: Any = SimpleNamespace(null=SimpleNamespace(log=3.0))
+    assert likeliest(model, [Span(np.zeros((5, 3, 0)))]) == 3.0
 
 
 def test_a_field_that_turns_the_phases_far_leaves_nothing_for_other_names(making: ModuleType, tmp_path: Path) -> None:

@@ -180,7 +180,7 @@ def principal_span(
     gram = flat.T @ flat
     length = np.maximum(np.sqrt(np.diag(gram)), 1e-150) / np.sqrt(times)
     values, vectors = np.linalg.eigh(gram / np.outer(length, length))
-    kept = values > tolerance * values[-1]
+    kept = values > tolerance * values.max(initial=0.0)  # of no columns none
     few = flat @ (vectors[:, kept] / length[:, None])
     return np.asarray((few if common else few / np.sqrt(values[kept])).reshape(n, q, -1))
 

@@ -74,6 +74,8 @@ def likeliest(model: NullModel, missed: Sequence[Span]) -> float:
     Each direction is a priori as wide as its column is long; of very many the longest count.
     """
     columns = np.concatenate([span.columns for span in missed], axis=2)
+    if not columns.shape[2]:  # a form that is in the base whole has nothing to miss
+        return model.null.log
     if columns.shape[2] > MOST_DIRECTIONS:
         columns = columns[:, :, np.argsort(-np.einsum("nqc,nqc->c", columns, columns))[:MOST_DIRECTIONS]]
     found = NullEliminated.of(model, columns, range(len(model.bands.spectra))).best()
