@@ -5,12 +5,12 @@ from itertools import pairwise
 
 import pytest
 from geometry import faults
-from test_choose import looked_at, told_by_the_loop
+from test_choose import loop_page, told_by_the_loop
 from test_path import calibration
 from test_tenth_walk import in_language as in_language
 
 from labcal.gui.ipc.file_commands import calibrations
-from labcal.gui.ipc.messages import CloseLoop, ListCalibrations, LookAt
+from labcal.gui.ipc.messages import ListCalibrations
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.calibration_rows import cause_rows
 from labcal.gui.viewmodels.cause_words import in_plain_words, with_id
@@ -80,14 +80,7 @@ def test_a_worker_says_them_with_its_answers(drafted, monkeypatch):
 @pytest.fixture
 def traced(still):
     """The Loop page with every cause that there is."""
-    still.open_page("Loop")
-    still.page("Loop")
-    study, worker = still.app_state.study_vm, still.app_state.fit_worker
-    study.open("r1")
-    worker.answer(LookAt, looked_at("r1"))
-    study.close_loop()
-    worker.answer(CloseLoop, replace(told(), rejected=REJECTED))
-    return still
+    return loop_page(still, replace(told(), rejected=REJECTED))
 
 
 def test_the_table_has_the_words_and_beside_them_the_id_in_small_letters(traced, qtbot, patience):

@@ -194,17 +194,22 @@ def looked_at(run, dut="EM-07"):
     return Look(run, dut, 50, np.ones((50, 3)), {})
 
 
-@pytest.fixture
-def undecided(still):
-    """The Loop page on a run whose loop has two causes that do as well."""
-    still.open_page("Loop")
-    still.page("Loop")
-    study, worker = still.app_state.study_vm, still.app_state.fit_worker
+def loop_page(window, answer):
+    """`window` with its Loop page on a run of which the worker says `answer`."""
+    window.open_page("Loop")
+    window.page("Loop")
+    study, worker = window.app_state.study_vm, window.app_state.fit_worker
     study.open("r1")
     worker.answer(LookAt, looked_at("r1"))
     study.close_loop()
-    worker.answer(CloseLoop, told_by_the_loop("reverse"))
-    return still
+    worker.answer(CloseLoop, answer)
+    return window
+
+
+@pytest.fixture
+def undecided(still):
+    """The Loop page on a run whose loop has two causes that do as well."""
+    return loop_page(still, told_by_the_loop("reverse"))
 
 
 def test_every_cause_is_named_whole_with_its_reason(qtbot, undecided, patience):

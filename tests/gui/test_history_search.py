@@ -6,13 +6,14 @@ from datetime import datetime
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from test_path import calibration
 
 from labcal.gui.ipc.answers import RunLine
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.ipc.record_messages import RunResult, TellResults
 from labcal.gui.theming.theme import LIGHT
 from labcal.gui.viewmodels.run_results import RunResults
-from labcal.gui.viewmodels.run_search import HEADINGS, cells, file_name, matches
+from labcal.gui.viewmodels.run_search import HEADINGS, cells, file_name, matches, measured_s, moment_s
 from labcal.gui.viewmodels.run_verdict import end_result
 from labcal.gui.widgets.run_chooser import run_label, run_title
 
@@ -136,3 +137,12 @@ def test_a_window_in_another_language_asks_for_no_result_that_was_told(still):
 
 def test_the_pages_share_what_runs_came_to(still):
     assert still.page("History").results._known is still.page("Start").results._known is still.app_state.path.results
+
+
+def test_a_calibration_whose_file_is_gone_by_now_has_no_place_in_time(tmp_path):
+    file = tmp_path / "c.json"
+    one = replace(calibration(), path=str(file), run_id="of another store")
+    assert measured_s(one, (RUN,)) is None
+    file.write_text("{}")
+    assert measured_s(one, (RUN,)) == pytest.approx(file.stat().st_mtime)
+    assert measured_s(replace(one, run_id=RUN.run_id), (RUN,)) == moment_s(RUN.started_utc)

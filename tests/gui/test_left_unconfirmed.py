@@ -128,3 +128,6 @@ def test_whose_lines_the_guardian_of_the_last_session_has_is_said_and_until_when
     has = f"the guardian of the last session has supply_x, supply_z, {name} until supply_y is read back at zero"
     assert real.message.text().replace("\n", " ") == f"1 of 4 instruments were read: ✕ supply_y; {has}"
     assert (name, "absent", "the guardian of the last session has it") in app_state.lab.state.now.lights
+    app_state.forget()  # another bench: that guardian has none of its lines
+    app_state.grow_old()
+    assert not [one for one in app_state.lab.state.now.lights if "guardian" in one[2]]

@@ -198,7 +198,7 @@ def of_the_coils(seen):
         not stands or (stands[0] == "✓" and "read" not in stands)
     )
     rests = rests and seen.window.app_state.run.state not in ("starting", "running")  # a run that begins, or goes on
-    if not asked.hands.isHidden() and ("may go in" in asked.hands.text()) != rests:
+    if not (asked.isHidden() or asked.hands.isHidden()) and ("may go in" in asked.hands.text()) != rests:
         yield f"{asked.hands.text()!r} beside {seen.zero!r} and {stands!r}"
 
 

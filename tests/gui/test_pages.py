@@ -11,6 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QFileDialog, QPushButton
 
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.viewmodels.study import cause_name
 
 LONG_MS = 180_000
 
@@ -128,11 +129,14 @@ def test_a_cause_that_was_not_named_is_picked_and_its_change_is_drawn(qtbot, tra
     page.others.scrollToItem(page.others.item(rejected, 0))
     place = page.others.visualItemRect(page.others.item(rejected, 0)).center()
     qtbot.mouseClick(page.others.viewport(), Qt.MouseButton.LeftButton, pos=place)
-    qtbot.waitUntil(lambda: name in study.causes or study.fault is not None, timeout=LONG_MS)
+    chosen = page.picked().cause
+    of_study = cause_name(chosen.effect, chosen.channels)
+    qtbot.waitUntil(lambda: of_study in study.causes or study.fault is not None, timeout=LONG_MS)
     assert study.fault is None
     assert name in page.change_heading.text()
     assert page.change_words.text().startswith("it alone would leave ")
-    assert page.change_why.text() == f"{name}: {page.others.item(rejected, 4).toolTip()}"
+    whole = page.others.item(rejected, 4).toolTip().splitlines()[-1]  # below what is said of it in short
+    assert page.change_why.text() == f"{name}: {whole}"
     assert why
     page.others.clearSelection()
     assert page.change_heading.text() == "2  What it changes"

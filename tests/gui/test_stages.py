@@ -5,8 +5,7 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtWidgets import QApplication, QFileDialog
-from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, settle, told
-from test_certificate_steps import page as page
+from test_certificate_steps import APPROVED, DRAFT, NOT_VALID, OUTDATED, RELEASED, certificate_page, settle, told
 from test_path import RUN, calibration
 
 from labcal.gui.ipc.customer_messages import Named, Party, StateNames, WhoIsNamed
@@ -17,6 +16,11 @@ from labcal.gui.widgets import next_button
 
 ALONE = calibration(provisional=True)
 NOBODY, BOTH = Named("", ""), Named("A lab, Bern (CH)", "Holm AS, Oslo (NO)")
+
+
+@pytest.fixture
+def page(new_window):
+    return certificate_page(new_window)
 
 
 @pytest.mark.parametrize(

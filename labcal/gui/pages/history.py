@@ -393,4 +393,5 @@ class HistoryPage(QWidget):
             there = self._archived.calibrations.get(dut, ())
             return self.trend.show_files(dut, there, [moment_s(one.measured_utc) for one in there])
         mine = [c for c in reversed(self._app_state.path.files) if c.dut.serial == dut]
-        return self.trend.show_files(dut, mine, [measured_s(one, self.runs) for one in mine])
+        dated = [(one, at_s) for one in mine if (at_s := measured_s(one, self.runs)) is not None]
+        return self.trend.show_files(dut, [one for one, _ in dated], [at_s for _, at_s in dated])

@@ -644,7 +644,7 @@
     </message>
     <message>
         <source>The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with.</source>
-        <translation>Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt; diese Prozedur kann nicht fortgesetzt werden.</translation>
+        <translation>Die Spulen gehen auf null, das Fenster schließt. Gemessenes bleibt; mit dieser Prozedur geht es nicht weiter.</translation>
     </message>
     <message>
         <source>Stop</source>

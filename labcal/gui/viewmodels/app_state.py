@@ -165,11 +165,9 @@ class AppState(QObject):
     def forget(self) -> None:
         """Know nothing of the lab: what was read on another bench says nothing of this."""
         self._forget_readings()
-        self.off.forget()
-        self.left.forget()
+        for one in (self.off, self.left, self.named_serials, self.watch, self._said_no_more.back):
+            one.forget()
         self.one_dut.proposed = False
-        self.named_serials.forget()
-        self._said_no_more.back.forget()
 
     def _forget_readings(self) -> None:
         """They came over the links of one bench; the lab of the run that ended there is not taken once more."""

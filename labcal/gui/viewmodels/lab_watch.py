@@ -121,6 +121,10 @@ class LabWatch(QObject):
             self.round.begin(names, time.monotonic(), at_once=True)
             self._go_on()
 
+    def forget(self) -> None:
+        """Of another bench no guardian is known to be at work."""
+        self._kept = set()
+
     def stop(self) -> None:
         """Let go of every line at once: somebody wants them."""
         self.round.forget()

@@ -104,9 +104,15 @@ def moment_s(utc: str) -> float:
     return datetime.fromisoformat(utc.replace("Z", "+00:00")).timestamp()
 
 
-def measured_s(one: CalibrationFile, runs: Iterable[RunLine]) -> float:
-    """When what `one` was made of was measured [s since 1970]; of a run that is not here when its file was written."""
+def measured_s(one: CalibrationFile, runs: Iterable[RunLine]) -> float | None:
+    """When what `one` was made of was measured [s since 1970]; of a run that is not here when its file was written.
+
+    None where that file is gone by now.
+    """
     started = next((run.started_utc for run in runs if run.run_id == one.run_id), None)
-    if started is None:
+    if started is not None:
+        return moment_s(started)
+    try:
         return datetime.fromtimestamp(Path(one.path).stat().st_mtime, UTC).timestamp()
-    return moment_s(started)
+    except OSError:
+        return None
