@@ -35,6 +35,7 @@ def tell(live, event):
 @pytest.mark.parametrize("other_language", ["en", "de", "fr"], indirect=True)
 def test_pause_and_stop_keep_their_places_from_pause_to_go_on_and_back(other_language, live):
     before = places(live)
+    assert live.pause.height() == live.stop.height(), "one row"
     live.pause.click()
     assert places(live) == before
     words = {live.pause.text()}

@@ -112,7 +112,7 @@ def test_a_pause_that_was_asked_for_is_said_by_its_button(running):
     live = running.page("Run").live
     live.pause.click()
     assert running.app_state.bench_worker.said == [Pause()]
-    assert (live.pause.text(), live.pause.isEnabled()) == ("Pausing\nafter this step …", False)
+    assert (live.pause.text(), live.pause.isEnabled()) == ("Pausing …", False)
     send(running, Event(2.0, "pause", "paused, coils at zero", {}))
     assert (live.pause.text(), live.pause.isEnabled()) == ("Go on", True)
     send(running, Event(3.0, "pause", "goes on"))

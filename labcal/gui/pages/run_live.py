@@ -124,7 +124,7 @@ class Live(QWidget):
         return card
 
     def _buttons(self) -> Flow:
-        says = self.tr("Pause"), self.tr("Pausing\nafter this step …"), self.tr("Go on")
+        says = self.tr("Pause"), self.tr("Pausing …"), self.tr("Go on")
         self.pause = ActButton(says, self.tr("Wait where the next step begins, with the coils at zero"))
         self.pause.clicked.connect(self._pause_or_go_on)
         self.stop = ActButton(

@@ -6663,6 +6663,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Pausing …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Wait where the next step begins, with the coils at zero</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6716,11 +6720,6 @@
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pausing
-after this step …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -6667,6 +6667,10 @@
         <translation>Pause</translation>
     </message>
     <message>
+        <source>Pausing …</source>
+        <translation>Pause folgt …</translation>
+    </message>
+    <message>
         <source>Wait where the next step begins, with the coils at zero</source>
         <translation>Am Beginn des nächsten Schritts warten, Spulen auf null</translation>
     </message>
@@ -6713,12 +6717,6 @@
     <message>
         <source>Go on</source>
         <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Pausing
-after this step …</source>
-        <translation>Pause nach
-diesem Schritt …</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>

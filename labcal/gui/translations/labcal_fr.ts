@@ -6667,6 +6667,10 @@
         <translation>Pause</translation>
     </message>
     <message>
+        <source>Pausing …</source>
+        <translation>Pause à venir …</translation>
+    </message>
+    <message>
         <source>Wait where the next step begins, with the coils at zero</source>
         <translation>Attendre au début de l&apos;étape suivante, bobines à zéro</translation>
     </message>
@@ -6713,12 +6717,6 @@
     <message>
         <source>Go on</source>
         <translation>Continuer</translation>
-    </message>
-    <message>
-        <source>Pausing
-after this step …</source>
-        <translation>Pause après
-cette étape …</translation>
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
