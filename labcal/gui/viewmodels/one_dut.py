@@ -142,7 +142,7 @@ class OneDut(QObject):
             if self._study.busy:
                 self._lab.update(message=self.tr("{0}: what is being computed goes on.").format(studied))
             self._study.let_go()
-            self.take_up()
+        self.take_up()  # also where half of its serial was left for a moment: that was of no DUT
 
     def shows(self, to: Next) -> bool:
         """Whether the page that Next leads to shows the run that it speaks of, or it speaks of none."""
