@@ -1,6 +1,7 @@
 """Windows whose workers are all deaf, with settings of their own, and how one is taken apart again."""
 
 from contextlib import contextmanager
+from functools import cache
 
 import pytest
 from pyqtgraph import PlotWidget
@@ -40,10 +41,18 @@ def build_what_is_in_sight(window):
             lazy_page.built()
 
 
+@cache
+def every_procedure():
+    """Looked up once: they are the same for every window."""
+    from labcal.gui.ipc.bench_commands import procedures
+    from labcal.gui.ipc.messages import ListProcedures
+
+    return procedures(None, ListProcedures())
+
+
 @contextmanager
 def deaf_window_at(home):
     """A window whose workers are all deaf: no process is started."""
-    from labcal.gui.ipc.bench_commands import procedures
     from labcal.gui.ipc.messages import ListProcedures
     from labcal.gui.viewmodels import app_state
     from labcal.gui.window import Window
@@ -56,7 +65,7 @@ def deaf_window_at(home):
     window.size_at_first = window.size()
     window.open_page("Run")
     window.page("Run")
-    window.procedures = procedures(None, ListProcedures())
+    window.procedures = every_procedure()
     window.app_state.quick_worker.answer(ListProcedures, window.procedures)
     try:
         yield window

@@ -43,15 +43,28 @@ def asking(window, prompt, size):
     return window.page("Run").live.prompt
 
 
-@pytest.fixture(params=["en", "de"])
+SIZES, ASKED = [(984, 660), (1024, 700), (1440, 900)], [MOUNT, FAILED, READY]
+EACH = [
+    pytest.param(
+        spoken, ASKED[i], SIZES[j], id=f"{spoken}-{ASKED[i].key}-{SIZES[j]}", marks=[] if short else pytest.mark.slow
+    )
+    for i in range(3)
+    for j in range(3)
+    for spoken, short in (
+        ("en", (i + j) % 2),
+        ("de", not (i + j) % 2),
+    )  # fast: each question in each size, in one language
+]
+
+
+@pytest.fixture
 def spoken(request, qapp, same_window):
     translate.install_translator(qapp, QLocale(request.param))
     yield same_window
     translate.install_translator(qapp, QLocale("en"))
 
 
-@pytest.mark.parametrize("size", [(984, 660), (1024, 700), (1440, 900)], ids=str)
-@pytest.mark.parametrize("prompt", [MOUNT, FAILED, READY], ids=lambda one: one.key)
+@pytest.mark.parametrize(("spoken", "prompt", "size"), EACH, indirect=["spoken"])
 def test_the_buttons_stay_where_they_are_in_sight_and_every_word_is_whole(spoken, prompt, size):
     card, places = asking(spoken, prompt, size), set()
     area = spoken.lazy_pages["Run"].area

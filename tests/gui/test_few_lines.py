@@ -60,8 +60,16 @@ def drawn_lines(side):
     return sum(round(one.height() / one.fontMetrics().lineSpacing()) for one in four)
 
 
-@pytest.mark.parametrize("size", [(1360, 860), (1024, 700)], ids="{0[0]}".format)
-@pytest.mark.parametrize("other_language", ["en", "de", "fr"], indirect=True)
+LARGE, LITTLE = (1360, 860), (1024, 700)
+SHORT = (("en", LARGE), ("de", LARGE), ("fr", LITTLE))  # each language and each size
+
+
+@pytest.mark.parametrize(
+    ("other_language", "size"),
+    [*SHORT, *(pytest.param(*one, marks=pytest.mark.slow) for one in (("en", LITTLE), ("de", LITTLE), ("fr", LARGE)))],
+    ids=str,
+    indirect=["other_language"],
+)
 def test_hands_and_coils_take_seven_lines_at_most_and_the_gravest_reason_is_whole(
     other_language, same_window, rest, size
 ):
