@@ -9401,6 +9401,10 @@
         <translation>perdu</translation>
     </message>
     <message>
+        <source>read {0} s ago</source>
+        <translation>lu il y a {0} s</translation>
+    </message>
+    <message>
         <source>▲ Hands off: {0}</source>
         <translation>▲ Mains loin : {0}</translation>
     </message>
@@ -9451,6 +9455,10 @@
     <message>
         <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>BOBINES À ZÉRO a été pressé et l’arrête si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -9931,6 +9939,14 @@
     <message>
         <source>the next field or turn comes unasked</source>
         <translation>le prochain champ ou la prochaine rotation vient sans question</translation>
+    </message>
+    <message>
+        <source>the platform turns next</source>
+        <translation>la plate-forme tourne ensuite</translation>
+    </message>
+    <message>
+        <source>COILS OFF: going to zero …</source>
+        <translation>BOBINES À ZÉRO : en route vers zéro …</translation>
     </message>
     <message>
         <source>stopping</source>
