@@ -263,7 +263,7 @@ def test_under_a_card_that_says_the_coils_may_be_on_there_is_no_second_headline(
     [
         (
             stands(moving=True, age_s=12.0),
-            "✕ platform NOT confirmed at a standstill: at 40° it turned, 12 s ago: COILS OFF was pressed, and stops it if ",
+            "✕ platform NOT confirmed at a standstill: at 40° it turned, 12 s ago: COILS OFF was pressed, ",
             True,
         ),
         (PlatformReading(fault="silent"), "✕ platform NOT confirmed at a standstill: stop it at its controller", True),

@@ -5735,6 +5735,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10514,6 +10518,10 @@
     </message>
     <message>
         <source>{0} (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (served)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

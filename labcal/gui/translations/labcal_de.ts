@@ -5735,6 +5735,10 @@
         <translation>{0} war {1}, als Messung {2} begann, jetzt ist es {3}</translation>
     </message>
     <message>
+        <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
+        <translation>Messung {0} wurde an einem anderen Messplatz begonnen: ein echter, ein simulierter und ein bereitgestellter sind nicht derselbe</translation>
+    </message>
+    <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
         <translation>auf dem Messplatz steht {0}, die Messung ist von {1}: nichts wurde bewegt</translation>
     </message>
@@ -10515,6 +10519,10 @@
     <message>
         <source>{0} (simulated)</source>
         <translation>{0} (simuliert)</translation>
+    </message>
+    <message>
+        <source>{0} (served)</source>
+        <translation>{0} (bereitgestellt)</translation>
     </message>
     <message>
         <source>{0} (not simulated)</source>

@@ -5735,6 +5735,10 @@
         <translation>{0} était {1} quand la mesure {2} a commencé, maintenant c&apos;est {3}</translation>
     </message>
     <message>
+        <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
+        <translation>la mesure {0} a été commencée sur un autre banc : un banc réel, un banc simulé et un banc servi ne sont pas le même</translation>
+    </message>
+    <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
         <translation>le banc porte {0}, la mesure est de {1} : rien n&apos;a bougé</translation>
     </message>
@@ -10515,6 +10519,10 @@
     <message>
         <source>{0} (simulated)</source>
         <translation>{0} (simulé)</translation>
+    </message>
+    <message>
+        <source>{0} (served)</source>
+        <translation>{0} (servi)</translation>
     </message>
     <message>
         <source>{0} (not simulated)</source>
