@@ -262,8 +262,7 @@ class Bench:
             return ""
         self.homed = self.homed and not self.platform.may_turn  # one that was stopped looks for its zero again
         self._stands = self.platform.brought_to_rest(self.clock)
-        if self._stands.read_s is not None:
-            self._heard_s[self.platform.name] = self._stands.read_s
+        self._heard_s |= {} if self._stands.read_s is None else {self.platform.name: self._stands.read_s}
         return self._stands.sentence(self.clock.now())
 
     def look_at_platform(self) -> None:
@@ -370,9 +369,8 @@ class Bench:
         currents = currents_or_away(self.cage, self._look, t, waited_for=self._waited_for())
         if currents is None:
             return
-        signs = np.where(np.signbit(currents), -1.0, 1.0)
-        values = np.column_stack([currents, signs]).ravel()
-        self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, *values.tolist())
+        values = np.column_stack([currents, np.where(np.signbit(currents), -1.0, 1.0)]).ravel().tolist()
+        self._keep("channel", "cage", tuple(c.name for c in COIL_CHANNELS), t, *values)
 
     def _at_rest_only(self) -> list[str]:
         """What nobody hears of while it rests: contacts that are on a real line."""
@@ -389,12 +387,14 @@ class Bench:
             self._instruments[name].identify()
         zero_anew(self.cage, name)
         self._heard_s[name] = self.clock.now()
+        if name == self.platform.name:
+            self.look_at_platform()  # who answers again is not said to be unknown until it is polled
 
     def _heard(self, name: str, heard_s: Mapping[str, float | None], coil: CoilReading | None) -> Heard:
-        if coil is not None:
-            return Heard(name, coil.read_s, coil.fault)
-        wrong = [self._look.wrong(name), *self._listening.wrong(name)]
-        return Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
+        away = self.platform.away if isinstance(self.platform, BenchPlatform) and name == self.platform.name else ""
+        wrong = [away, self._look.wrong(name), *self._listening.wrong(name)]
+        known = Heard(name, heard_s.get(name), next(filter(None, wrong), ""))
+        return known if coil is None else Heard(name, coil.read_s, coil.fault)
 
     def _keep(self, stream: Stream, source: str, columns: tuple[str, ...], t_s: float, *values: float) -> None:
         self._polled.setdefault((stream, source, columns), []).append((t_s, *values))

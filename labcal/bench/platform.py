@@ -34,6 +34,7 @@ class BenchPlatform:
         self.max_rate_deg_per_s = min(stage.max_rate_deg_per_s, self._dut_limit_deg_per_s)
         self.limited_by_dut = self._dut_limit_deg_per_s <= stage.max_rate_deg_per_s
         self.asked_deg_per_s = math.inf  # of the last move
+        self.away = ""  # the fault with which its line is lost, from then until it is read again
 
     def identify(self) -> Identity:
         """The stage's identity."""
@@ -99,7 +100,7 @@ class BenchPlatform:
                 clock.wait_until(clock.now() + ASK_S)
         except Exception as fault:  # of a driver of one's own too: the coils' last word is not lost over it
             return PlatformReading(fault=str(fault))
-        self._may_turn = state[1]
+        self._may_turn, self.away = state[1], ""
         return PlatformReading(self._sign * state[0], state[1], clock.now())
 
     def close(self) -> None:
@@ -108,9 +109,12 @@ class BenchPlatform:
 
     def _read(self, ask: Callable[[], T]) -> T:
         try:
-            return ask()
+            answer = ask()
         except InstrumentError as fault:
             if fault.fault != "link lost" or self.bring_back is None:
                 raise
+            self.away = fault.fault
             self.bring_back(fault)
-            return ask()
+            answer = ask()
+        self.away = ""
+        return answer

@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from labcal.bench.coils.at_zero import FROM_HERE, ORDERED, AtZero
+from labcal.bench.coils.at_zero import FREE_S, FROM_HERE, ORDERED, AtZero
 from labcal.bench.essentials import AXES, Essentials, essentials, legible
 from labcal.bench.guardian.client import (
     Connection,
@@ -36,7 +36,6 @@ if TYPE_CHECKING:
     Bench = BenchConfig | Essentials
 
 Meanwhile = Callable[[str], AbstractContextManager[object]]  # given what may be said where it takes long
-FREE_S = 5.0
 ENDS = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGTSTP") if hasattr(signal, name))
 UNTOUCHED = (
     "no guardian drives this bench and no coil was touched. Correct the file and say off again, or switch the supplies "

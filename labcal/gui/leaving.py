@@ -15,7 +15,8 @@ from labcal.gui.viewmodels.app_state import AppState
 from labcal.gui.viewmodels.beside_coils import beside_coils
 from labcal.gui.viewmodels.hands_now import reasons
 from labcal.gui.viewmodels.lab import LabState
-from labcal.gui.viewmodels.lab_now import as_watched, platform_said
+from labcal.gui.viewmodels.lab_now import platform_said
+from labcal.gui.viewmodels.watched import as_watched
 from labcal.gui.widgets.close_at_rest import CloseAtRest
 from labcal.gui.widgets.close_question import CloseQuestion
 from labcal.gui.widgets.going_down import GoingDown

@@ -13,20 +13,20 @@ from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.guardian import GUARDIAN, guardian_is
-from labcal.gui.viewmodels.hands_now import MAY
+from labcal.gui.viewmodels.hands_now import MAY, read_words
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.viewmodels.lab_now import (
     LIGHT_SHAPES,
     PLACES,
     LabNow,
     age_words,
-    as_watched,
     field_age,
     mark_of,
     platform_drawn,
     shown_name,
 )
 from labcal.gui.viewmodels.number_format import format_field, format_number
+from labcal.gui.viewmodels.watched import as_watched
 from labcal.gui.widgets.by_itself import ShownPart, cannot_be_shown
 from labcal.gui.widgets.common import (
     ReadoutGrid,
@@ -151,11 +151,14 @@ class SidePanel(Surface):
         self.keep_off = label("", "ask", wrap=True)
         self.keep_off.setAccessibleName(self.tr("Whether hands have to be off"))
         self.may_go_in, self.hands, self.zero_words = label("", "title", wrap=True), WholeWords(), WholeWords()
+        self.hands_age = label("", "caption")  # a line of its own: another age moves nothing
+        self.hands_age.setFont(tabular_font())
+        set_state(self.hands_age, "old")
         self.hands_group = QWidget()
         column = QVBoxLayout(self.hands_group)
         column.setContentsMargins(0, 0, MARGIN, 0)
         column.setSpacing(GRID // 2)
-        for said in (self.keep_off, self.may_go_in, self.hands, self.zero_words):
+        for said in (self.keep_off, self.may_go_in, self.hands_age, self.hands, self.zero_words):
             column.addWidget(said)
         return self.hands_group
 
@@ -216,6 +219,9 @@ class SidePanel(Surface):
         answer, _, why = said.partition(":")
         self.may_go_in.setText(answer.strip() if why else said)
         self.may_go_in.setVisible(bool(said) and not off)
+        age = read_words(state.now, mark) if self._may else ""
+        self.hands_age.setText(age)
+        self.hands_age.setVisible(bool(age))
         self._why = why.strip() if why else "" if not off else said
         self.hands.say(said, self._why)
         self.hands.setVisible(bool(said))
@@ -238,7 +244,8 @@ class SidePanel(Surface):
         """The longest form for which there is room; the whole stands in the tip."""
         both = self.hands, self.zero_words
         width = self.width() - 2 * MARGIN
-        above = sum(lines(one, one.text(), width) for one in (self.keep_off, self.may_go_in) if not one.isHidden())
+        largest = self.keep_off, self.may_go_in, self.hands_age
+        above = sum(lines(one, one.text(), width) for one in largest if not one.isHidden())
         told = "" if self._coils_again else self.zero_words.text()
         for forms in said_shorter(self._why, told, may=self._may):  # the last one that comes has to do
             if above + sum(lines(one, form, width) for one, form in zip(both, forms, strict=True)) <= MOST_LINES:
@@ -266,7 +273,7 @@ class SidePanel(Surface):
         self._why, self._coils_again = "", True
         self.keep_off.show()
         self.hands_group.show()
-        for said in (self.may_go_in, self.hands, self.zero_words):
+        for said in (self.may_go_in, self.hands_age, self.hands, self.zero_words):
             said.hide()
 
     def _blank_field(self) -> None:

@@ -23,6 +23,7 @@ from labcal.bench.stated import refuse_overdue, stated_administrative, stated_en
 from labcal.errors import InputError, InstrumentError, LimitError, LimitNotMet, Stopped
 from labcal.plugin_loading import said
 from labcal.record import Dut, RunHeader, Specification
+from labcal.record.bench_kind import bench_kind, kind_of
 from labcal.record.header import ChannelSpec
 from labcal.record.person import check_operator
 from labcal.record.stream import NOT_USED, REMARK, RESUMED, Event, Item, Measurement
@@ -323,6 +324,11 @@ def _refuse_another(bench: Bench, procedure: FoundProcedure, header: RunHeader, 
         raise InputError(f"{procedure.name} cannot go on after an interruption: start it anew")
     if procedure.sha256 != header.source_sha256:
         raise InputError(f"{procedure.name} was changed since run {header.run_id} began: start it anew")
+    kind = bench_kind(header.bench)
+    if kind and kind != kind_of(simulated=bench.config.simulated, served=bench.config.served):
+        raise InputError(
+            f"run {header.run_id} was begun on another bench: a real, a simulated and a served one are not the same"
+        )
     stands = dut_serial or _standing(bench, header)
     if stands != header.dut.serial:
         raise InputError(f"run {header.run_id} is of DUT {header.dut.serial}, the bench has {stands}")

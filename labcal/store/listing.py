@@ -10,6 +10,7 @@ from typing import Any
 
 from labcal.errors import InputError
 from labcal.files.home import home
+from labcal.record.bench_kind import bench_kind
 from labcal.record.endings import BY_ABORT, STOPPED, STOPPED_BY, ended_word
 from labcal.record.run_id import as_file_name
 from labcal.store.database import Connection, connect, named_faults
@@ -38,7 +39,7 @@ class RunSummary:
 
     `stopped`: a person ended it, whether or not it can be gone on with; `by_off`: by COILS OFF in the window.
     `bench`: of one that was interrupted, the name of the bench it was begun on; `instruments`: who answered there then,
-    each by its name and as it said who it is.
+    each by its name and as it said who it is; `bench_kind`: whether that was real, simulated or served.
     """
 
     run_id: str
@@ -52,6 +53,7 @@ class RunSummary:
     by_off: bool = False
     bench: str = ""
     instruments: tuple[tuple[str, str], ...] = ()
+    bench_kind: str = ""
 
 
 def list_runs(path: Path | None = None) -> list[RunSummary]:
@@ -90,15 +92,16 @@ def corrected(event: str | None) -> str:
     return str(json.loads(event)["data"]["to"]) if event else ""
 
 
-def _begun_on(text: str | None) -> tuple[str, tuple[tuple[str, str], ...]]:
-    """The name of the bench, and its instruments as they said who they are; nothing of one that does not say it."""
+def _begun_on(text: str | None) -> tuple[str, tuple[tuple[str, str], ...], str]:
+    """The name of the bench, its instruments as they said who they are, and its kind; nothing of one that says none."""
     import tomllib  # for the few that were interrupted
 
     bench, instruments = json.loads(text) if text else ("", ())
     with suppress(tomllib.TOMLDecodeError):
         name = tomllib.loads(bench or "").get("name", "")
-        return str(name), tuple((one["name"], " ".join(filter(None, map(one.get, IDENTITY)))) for one in instruments)
-    return "", ()
+        who = tuple((one["name"], " ".join(filter(None, map(one.get, IDENTITY)))) for one in instruments)
+        return str(name), who, bench_kind(bench or "")
+    return "", (), ""
 
 
 def _summary(
@@ -114,7 +117,7 @@ def _summary(
     if started_utc is None or serial is None or simulated is None:
         raise InputError(f"the store is damaged: the header of run {run_id!r}", file=path)
     stands = true_status(path, run_id, status)
-    bench, instruments = _begun_on(begun_on if stands == "interrupted" else None)
+    bench, instruments, kind = _begun_on(begun_on if stands == "interrupted" else None)
     return RunSummary(
         run_id=run_id,
         started_utc=started_utc,
@@ -127,4 +130,5 @@ def _summary(
         by_off=stopped and (by_person or 0) > 1,
         bench=bench,
         instruments=instruments,
+        bench_kind=kind,
     )

@@ -144,6 +144,49 @@ def test_a_stage_that_was_pulled_is_read_again_once_it_is_back(tmp_path: Path, m
     plug.pull()
 
 
+def test_a_stage_is_named_as_lost_while_its_line_is_tried_and_stands_as_soon_as_it_is_read(tmp_path: Path) -> None:
+    plug, lab = Plug(tmp_path / "ttyUSB0"), open_twin({}, 1)
+    stage = ZaberEmulator(lab, {}, SimpleNamespace(address=1, axis=1))
+    plug.put_in(stage)
+    with bench_with(plug, "platform") as bench:
+        said: list[str] = []
+
+        def look() -> None:
+            said.append({one.name: one.fault for one in bench.state().instruments}["stage"])
+
+        bench.platform.angle_deg()
+        plug.pull()
+        back = threading.Timer(0.3, plug.put_in, [stage])
+        back.start()
+        bench.look = look
+        bench.platform.state()
+        back.join()
+        assert said[0] == "link lost", "before its patience is over"
+        bench.look = lambda: None
+        assert {one.name: one.fault for one in bench.state().instruments}["stage"] == ""
+        plug.pull()
+        with pytest.raises(InstrumentError):
+            bench.platform.state()
+        assert {one.name: one.fault for one in bench.state().instruments}["stage"] == "link lost"
+        plug.put_in(stage)
+        bench.reconnect("stage")
+    plug.pull()
+
+
+def test_no_try_at_a_stage_begins_after_its_patience() -> None:
+    """One that hangs takes as long again."""
+    clock, tried = VirtualClock(datetime(2026, 1, 1, tzinfo=UTC)), list[float]()
+
+    def reopen() -> None:
+        tried.append(clock.now())
+        raise InstrumentError("out", fault="link lost")
+
+    with pytest.raises(InstrumentError):
+        bring_back(reopen, clock, InstrumentError("out", fault="link lost"))
+    assert clock.now() <= BACK_S
+    assert tried[-1] <= BACK_S
+
+
 AWAY_S, SHORT_S = 1.2, 0.4  # out for three times as long as it may be while nobody is asked
 
 
@@ -164,6 +207,7 @@ def test_while_a_person_is_asked_with_the_coils_at_zero_a_cable_may_be_out_and_a
         assert {one.name: one.fault for one in bench.state().instruments}[name] == "link lost"
         plug.put_in(there)
         until_back(bench, name)
+        assert role == "reference" or bench.state().platform.moving is False, "no moment at which it is not known"
         assert next(event.data["fault"] for event in bench.news()) == "link lost"
         plug.pull()
         bench.stream_until(bench.clock.now() + AWAY_S)

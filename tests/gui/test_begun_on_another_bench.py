@@ -9,6 +9,7 @@ from labcal.gui.ipc.answers import Identified, InstrumentAnswer
 from labcal.gui.ipc.messages import ListRuns
 from labcal.gui.viewmodels.begun_on import another_bench
 from labcal.gui.widgets.run_chooser import run_title
+from labcal.record.bench_kind import REAL, SERVED, SIMULATED
 
 
 @pytest.fixture
@@ -81,6 +82,24 @@ def test_a_real_bench_is_not_the_simulated_one_of_the_same_name(still, broken):
     facts = replace(still.app_state.facts, name="cage", simulated=True)
     said = another_bench(replace(broken, bench="cage", simulated=False), facts, {})
     assert said.startswith("▲ Begun on the bench cage (not simulated); cage (simulated) is open.")
+
+
+@pytest.mark.parametrize(
+    ("then", "now", "said"),
+    [
+        (SERVED, SIMULATED, "▲ Begun on the bench cage (served); cage (simulated) is open."),
+        (SIMULATED, SERVED, "▲ Begun on the bench cage (simulated); cage (served) is open."),
+        (SERVED, REAL, "▲ Begun on the bench cage (served); cage (not simulated) is open."),
+        (SERVED, SERVED, ""),
+        (SIMULATED, SIMULATED, ""),
+    ],
+)
+def test_served_and_simulated_are_two_benches_though_they_have_one_name(still, broken, then, now, said):
+    facts = replace(still.app_state.facts, name="cage", simulated=now != REAL, virtual_time=now == SIMULATED)
+    run = replace(broken, bench="cage", simulated=then != REAL, bench_kind=then)
+    found = another_bench(run, facts, {})
+    assert found.startswith(said)
+    assert bool(found) is bool(said)
 
 
 def test_the_run_that_has_just_ended_says_it_as_well(still, broken):

@@ -263,7 +263,7 @@ def test_under_a_card_that_says_the_coils_may_be_on_there_is_no_second_headline(
     [
         (
             stands(moving=True, age_s=12.0),
-            "✕ platform NOT confirmed at a standstill: at 40° it turned, 12 s ago: press COILS OFF (F12) first: ",
+            "✕ platform NOT confirmed at a standstill: at 40° it turned, 12 s ago: COILS OFF was pressed, ",
             True,
         ),
         (PlatformReading(fault="silent"), "✕ platform NOT confirmed at a standstill: stop it at its controller", True),
@@ -394,6 +394,6 @@ def test_in_a_small_window_whether_hands_may_go_in_is_said_whole_beside_what_to_
         says(running, **at_zero)
         qtbot.waitUntil(lambda: card.alive and card.drawing.isVisible())
         qtbot.wait(100)  # laid out by then
-        assert card.hands.text().endswith(BEFORE_HANDS)
+        assert card.hands.text().endswith(f"{BEFORE_HANDS} · read 1 s ago")
         for words in (card.hands, card.text):
             assert words.height() >= words.heightForWidth(words.width())

@@ -119,7 +119,7 @@ def test_at_a_mounting_and_after_a_failure_a_reading_is_as_old_by_the_same_rule(
     app_state.grow_old()
     at_mounting = live.prompt.hands.text()
     assert at_mounting == (
-        "● Hands may go in: coils read back at zero by their supplies, 3 s ago; no reference has confirmed it"
+        "● Hands may go in: coils read back at zero by their supplies; no reference has confirmed it · read 3 s ago"
     )
     app_state.bench_worker.answer(RunProcedure, Ended("r1", "interrupted", Fault("instrument", "dut: silent.")))
     live.fault.say_hands()
@@ -131,13 +131,12 @@ def test_at_a_mounting_and_after_a_failure_a_reading_is_as_old_by_the_same_rule(
     assert live.prompt.hands.text() == live.fault.hands.text()
 
 
-def test_one_age_is_said_once(real, running, later):
-    """Supplies and reference are as old as one another: the sentence is long enough."""
+def test_what_lets_hands_in_and_its_reason_have_their_ages(real, running, later):
     send(running, MOUNT)
     says(running, platform=stands(), witness=Witness(why=BEFORE_HANDS, read_s=now_s()))
     later(FRESH_S + 1.0)
     assert running.page("Run").live.prompt.hands.text() == (
-        f"● Hands may go in: coils read back at zero by their supplies, 3 s ago; {BEFORE_HANDS}"
+        f"● Hands may go in: coils read back at zero by their supplies; {BEFORE_HANDS}, 3 s ago · read 3 s ago"
     )
 
 
@@ -148,7 +147,7 @@ def test_what_proves_the_zero_is_said_to_who_reaches_in(running):
     assert hands.text().startswith("● Hands may go in: coils read back at zero by their supplies; the reference's amb")
     read_s = time.monotonic()
     says(running, platform=stands(), witness=Witness("agrees", BEFORE_HANDS, read_s=read_s))
-    assert hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field"
+    assert hands.text() == "✓ Hands may go in: coils at zero, by their supplies and by the field · read 1 s ago"
     says(running, platform=stands(), witness=Witness(why=CHANGED))
     assert hands.text() == f"▲ Hands off: {CHANGED}"
 

@@ -97,6 +97,6 @@ def test_at_rest_they_are_let_in_by_one_look_and_its_answer(real):
     by = time.monotonic() - WATCHED_S - 0.5
     real.app_state.take_lab(old.shifted(by - time.monotonic()))
     assert hands(real)[1] == "alone"
-    assert f"{WATCHED_S} s ago" in hands(real)[0]
+    assert real.side.hands_age.text() == f"read {WATCHED_S + 1} s ago"
     real.app_state.take_lab(old.shifted(by - time.monotonic() - 1.0))
     assert hands(real)[1] == "off"

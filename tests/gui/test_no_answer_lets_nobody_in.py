@@ -4,7 +4,8 @@ import pytest
 
 from labcal.bench.coils.state import CoilReading, Heard, LabState, PlatformReading, Witness
 from labcal.gui.viewmodels.hands_now import hands_of
-from labcal.gui.viewmodels.lab_now import as_watched, lab_now
+from labcal.gui.viewmodels.lab_now import lab_now
+from labcal.gui.viewmodels.watched import as_watched
 
 NOW_S = 1000.0
 ROLES = {"supply_x": "coil-x", "supply_y": "coil-y", "supply_z": "coil-z", "stage": "platform", "dut": "dut"}

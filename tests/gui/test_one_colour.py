@@ -13,7 +13,7 @@ from test_hands_off_everywhere import settle
 from labcal.bench.coils.agreement import NO_AMBIENT
 from labcal.bench.coils.state import REFERENCE_SILENT, CoilReading, LabState, PlatformReading, Witness
 from labcal.gui.theming.theme import DARK, HANDS, LIGHT, state_ink
-from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S
+from labcal.gui.viewmodels.lab_now import WATCHED_S
 from labcal.gui.widgets.close_question import CloseQuestion
 from labcal.record import Segment
 from labcal.record.stream import SegmentClosed, SegmentOpened
@@ -38,7 +38,7 @@ def test_at_a_mounting_no_word_of_the_zero_has_another_colour(real, running, wit
     shown = [one for place in places for one in place.findChildren(QLabel) if one.isVisible()]
     of_zero = {one.text(): one.property("state") for one in shown if "zero" in one.text() or "Hands" in one.text()}
     assert len(of_zero) >= 2
-    assert set(of_zero.values()) == {"good" if witness is AGREES and ago_s < LOOK_S + 1 else "alone"}, of_zero
+    assert set(of_zero.values()) == {"good" if witness is AGREES else "alone"}, of_zero
     assert not any("not watched since" in text for text in of_zero)
 
 

@@ -82,7 +82,7 @@ def test_that_hands_may_go_in_is_one_sentence_with_its_reason_and_nothing_is_amb
     lab = lab_with(0.0, 0.0)
     still.app_state.bench_worker.states.emit(replace(lab, reference=Witness(why=NO_AMBIENT)))
     said = "● Hands may go in: coils read back at zero by their supplies; "
-    assert card.hands.text() == f"{said}the reference has no ambient field to compare with yet"
+    assert card.hands.text() == f"{said}the reference has no ambient field to compare with yet · read 1 s ago"
     assert not card.lab.isVisible()
     assert still.side.zero_words.text().startswith("■ coils read back at zero by their supplies")
     assert still.side.zero_words.property("state") == ""

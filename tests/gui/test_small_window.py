@@ -61,7 +61,7 @@ def test_the_longest_reservation_is_whole_below_the_longest_such_question(still,
         sized((1024, 700), False)
         settle(still)
     card = still.page("Run").live.prompt
-    assert card.hands.text().endswith(BEFORE_HANDS)
+    assert card.hands.text().endswith(f"{BEFORE_HANDS} · read 1 s ago")
     rolled = card.findChild(Rolled)
     assert card.hands.height() >= card.hands.heightForWidth(card.hands.width())
     assert card.hands.mapTo(rolled, card.hands.rect().bottomLeft()).y() < rolled.viewport().height()

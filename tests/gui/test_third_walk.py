@@ -246,4 +246,4 @@ def test_a_persons_own_coils_off_is_called_so_and_names_the_platform(still):
     still.app_state.off_worker.answer(SwitchOff, SwitchedOff(ends, ""))
     said = still.app_state.lab.state.message
     assert said.startswith("COILS OFF done ")
-    assert "platform NOT confirmed at a standstill: at 220° it turned, 12 s ago: press COILS OFF (F12) first" in said
+    assert "platform NOT confirmed at a standstill: at 220° it turned, 12 s ago: COILS OFF was pressed" in said

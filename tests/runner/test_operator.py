@@ -113,7 +113,8 @@ def perhaps(prompt: Prompt) -> str:
 def test_only_the_same_run_is_resumed(bench_file: BenchFile) -> None:
     begun = session.run("preflight", bench_file(), TWO_FIELDS, answer=perhaps, seed=2)
     with Store.open() as store:
-        for run_id, changed in {"R": {}, "other-text": {"source_sha256": "00"}}.items():
+        bench = "served = true\n" + store.header(begun.run_id).bench.replace("emulated://", "tcp://127.0.0.1:9", 1)
+        for run_id, changed in {"R": {}, "other-text": {"source_sha256": "00"}, "served": {"bench": bench}}.items():
             store.begin(replace(store.header(begun.run_id), run_id=run_id, **changed)).finish("interrupted")
     for run_id, change, says in (
         (
@@ -123,6 +124,7 @@ def test_only_the_same_run_is_resumed(bench_file: BenchFile) -> None:
         ),
         ("R", [('"v_bus"], serial = "SIM-0001"', '"v_bus"], serial = "SIM-0003"')], "dut was .* now it is .*SIM-0003"),
         ("other-text", [], "preflight was changed since run other-text began: start it anew"),
+        ("served", [], "run served was begun on another bench: a real, a simulated and a served one are not the same"),
         (begun.run_id, [], "is none to be gone on with: it is broken off"),
     ):
         with pytest.raises(InputError, match=says):

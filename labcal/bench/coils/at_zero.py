@@ -12,6 +12,7 @@ BY_WORD = "by the supply's word only"  # of who has no reference to ask
 ORDERED = "taking the coils to zero: ordered, not read back yet …"
 FROM_HERE = "taking to zero from here what no guardian holds: not read back yet …"
 NOT_ORDERED = "waiting for a guardian that takes the order of zero …"
+FREE_S = 5.0  # so long whoever orders zero waits for a guardian that does not answer, and for the ports it has
 FRESH_S = 2.0  # what was read back longer ago is reported as past
 SLOW_S = 0.7  # so long after it was wanted that is said
 

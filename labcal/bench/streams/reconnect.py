@@ -31,7 +31,7 @@ def bring_back(
         except InstrumentError as fault:
             if fault.fault not in AWAY:
                 raise
-            if clock.now() > deadline:
+            if clock.now() + RETRY_S > deadline:  # another try would begin too late, and may itself take seconds
                 raise lost from fault
 
 

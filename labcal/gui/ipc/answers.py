@@ -306,6 +306,7 @@ class RunLine:
     by_off: bool = False  # and that by COILS OFF
     bench: str = ""  # of an interrupted one: the name of that which it was begun on
     instruments: tuple[tuple[str, str], ...] = ()  # who answered there then: name, and as it said who it is
+    bench_kind: str = ""  # whether that is real, simulated, or a simulated one on lines of this computer
 
 
 @dataclass(frozen=True, slots=True)

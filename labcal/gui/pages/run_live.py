@@ -342,7 +342,9 @@ class Live(QWidget):
         """One card at a time: that the coils may be on is said above, and comes first."""
         self.fault.say_coils(self._coils_left())
         began = self._run.lab is not None or (self._run.fault is not None and self._run.fault.kind in BROKEN)
-        self.fault.say_platform(self._app_state.platform_words() if began else "")  # else nothing was moved
+        self.fault.say_platform(
+            self._app_state.platform_words() if began else "", told=self._app_state.off.told
+        )  # else nothing was moved
         gives_way, back = self._app_state.warning_shown, self._answer_again()
         fault = self._run.fault if gives_way and not back else None
         self.fault.setVisible(not (gives_way or back))

@@ -114,6 +114,9 @@ LAB_FAULTS = (
     QT_TRANSLATE_NOOP("Data", "Switch the supplies off by hand, or say off again in a new terminal."),
     QT_TRANSLATE_NOOP("Data", "the field source has sent no new field for {0} s."),
     QT_TRANSLATE_NOOP("Data", "{0} was {1} when run {2} began, now it is {3}"),
+    QT_TRANSLATE_NOOP(
+        "Data", "run {0} was begun on another bench: a real, a simulated and a served one are not the same"
+    ),
     QT_TRANSLATE_NOOP("Data", "the bench holds {0}, the run is of {1}: nothing was moved"),
     QT_TRANSLATE_NOOP("Data", "taking to zero from here what no guardian holds: not read back yet …"),
     QT_TRANSLATE_NOOP("Data", "before that: {0}"),

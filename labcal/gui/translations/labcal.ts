@@ -5735,6 +5735,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9401,6 +9405,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>read {0} s ago</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>▲ Hands off: {0}</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9450,6 +9458,10 @@
     </message>
     <message>
         <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -9930,6 +9942,14 @@
     </message>
     <message>
         <source>the next field or turn comes unasked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the platform turns next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COILS OFF: going to zero …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10498,6 +10518,10 @@
     </message>
     <message>
         <source>{0} (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} (served)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -5735,6 +5735,10 @@
         <translation>{0} war {1}, als Messung {2} begann, jetzt ist es {3}</translation>
     </message>
     <message>
+        <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
+        <translation>Messung {0} wurde an einem anderen Messplatz begonnen: ein echter, ein simulierter und ein bereitgestellter sind nicht derselbe</translation>
+    </message>
+    <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
         <translation>auf dem Messplatz steht {0}, die Messung ist von {1}: nichts wurde bewegt</translation>
     </message>
@@ -9401,6 +9405,10 @@
         <translation>verloren</translation>
     </message>
     <message>
+        <source>read {0} s ago</source>
+        <translation>gelesen vor {0} s</translation>
+    </message>
+    <message>
         <source>▲ Hands off: {0}</source>
         <translation>▲ Hände weg: {0}</translation>
     </message>
@@ -9451,6 +9459,10 @@
     <message>
         <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation>zuerst SPULEN AUS (F12) drücken: Das hält auch den Tisch an, wenn er erreichbar ist. Dreht er weiter, an seinem Steuergerät anhalten</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>SPULEN AUS wurde gedrückt und hält ihn an, wenn er erreichbar ist. Dreht er weiter, an seinem Steuergerät anhalten</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -9931,6 +9943,14 @@
     <message>
         <source>the next field or turn comes unasked</source>
         <translation>das nächste Feld oder die nächste Drehung kommt ungefragt</translation>
+    </message>
+    <message>
+        <source>the platform turns next</source>
+        <translation>als Nächstes dreht der Tisch</translation>
+    </message>
+    <message>
+        <source>COILS OFF: going to zero …</source>
+        <translation>SPULEN AUS: auf dem Weg zu null …</translation>
     </message>
     <message>
         <source>stopping</source>
@@ -10499,6 +10519,10 @@
     <message>
         <source>{0} (simulated)</source>
         <translation>{0} (simuliert)</translation>
+    </message>
+    <message>
+        <source>{0} (served)</source>
+        <translation>{0} (bereitgestellt)</translation>
     </message>
     <message>
         <source>{0} (not simulated)</source>

@@ -5735,6 +5735,10 @@
         <translation>{0} était {1} quand la mesure {2} a commencé, maintenant c&apos;est {3}</translation>
     </message>
     <message>
+        <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
+        <translation>la mesure {0} a été commencée sur un autre banc : un banc réel, un banc simulé et un banc servi ne sont pas le même</translation>
+    </message>
+    <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
         <translation>le banc porte {0}, la mesure est de {1} : rien n&apos;a bougé</translation>
     </message>
@@ -9401,6 +9405,10 @@
         <translation>perdu</translation>
     </message>
     <message>
+        <source>read {0} s ago</source>
+        <translation>lu il y a {0} s</translation>
+    </message>
+    <message>
         <source>▲ Hands off: {0}</source>
         <translation>▲ Mains loin : {0}</translation>
     </message>
@@ -9451,6 +9459,10 @@
     <message>
         <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
         <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+    </message>
+    <message>
+        <source>COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller</source>
+        <translation>BOBINES À ZÉRO a été pressé et l’arrête si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>platform turning</source>
@@ -9931,6 +9943,14 @@
     <message>
         <source>the next field or turn comes unasked</source>
         <translation>le prochain champ ou la prochaine rotation vient sans question</translation>
+    </message>
+    <message>
+        <source>the platform turns next</source>
+        <translation>la plate-forme tourne ensuite</translation>
+    </message>
+    <message>
+        <source>COILS OFF: going to zero …</source>
+        <translation>BOBINES À ZÉRO : en route vers zéro …</translation>
     </message>
     <message>
         <source>stopping</source>
@@ -10499,6 +10519,10 @@
     <message>
         <source>{0} (simulated)</source>
         <translation>{0} (simulé)</translation>
+    </message>
+    <message>
+        <source>{0} (served)</source>
+        <translation>{0} (servi)</translation>
     </message>
     <message>
         <source>{0} (not simulated)</source>

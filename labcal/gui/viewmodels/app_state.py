@@ -30,9 +30,10 @@ from labcal.gui.viewmodels.begun_on import another_bench
 from labcal.gui.viewmodels.bench_of_run import links_of, stands_on
 from labcal.gui.viewmodels.coils_off import CoilsOff
 from labcal.gui.viewmodels.handed_out import HandedOut
+from labcal.gui.viewmodels.hands_now import dated
 from labcal.gui.viewmodels.known_lab import KnownLab, supplies
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import OFF, as_watched, reference_U
+from labcal.gui.viewmodels.lab_now import OFF, reference_U
 from labcal.gui.viewmodels.lab_watch import LabWatch
 from labcal.gui.viewmodels.last_readings import LastReadings
 from labcal.gui.viewmodels.left_without_end import LeftWithoutEnd
@@ -50,6 +51,7 @@ from labcal.gui.viewmodels.said_for_now import SaidAtTheEnd, SaidForNow
 from labcal.gui.viewmodels.said_no_more import SaidNoMore
 from labcal.gui.viewmodels.scan import ScanViewModel
 from labcal.gui.viewmodels.study import StudyViewModel
+from labcal.gui.viewmodels.watched import as_watched
 from labcal.gui.viewmodels.what_happens import at_hands, hands_at
 from labcal.gui.viewmodels.window_settings import window_settings
 
@@ -336,7 +338,7 @@ class AppState(QObject):
 
     def hands(self) -> tuple[str, str]:
         """Whether hands may go near now, in words, and the state that goes with it."""
-        return hands_at(self.run, self.lab.state.now)
+        return dated(*hands_at(self.run, self.lab.state.now), self.lab.state.now)
 
     @property
     def known(self) -> state.LabState | None:
@@ -350,7 +352,7 @@ class AppState(QObject):
 
     def grow_old(self, lifted: bool = False) -> None:
         """Show the lab as it is known now. Who said that the coils are not at zero says so no longer once they are."""
-        known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive, by_s=self.watch.round.by_s)
+        known = self.kept.now(self.facts, time.monotonic(), driven=self.run.alive, **self.watch.patience())
         now = self.off.seen_in(self.watch.seen_in(self.left.seen_in(known)))
         hands = at_hands(self.run, now, self.facts)  # with it, not after it: no instant contradicts itself
         self.lab.update(now=now, field_U_nT=reference_U(self.facts, now.field_measured_nT), **hands)

@@ -10,13 +10,17 @@ from labcal.bench.links.quoting import abridged
 from labcal.gui.ipc.answers import Bench, InstrumentAnswer, RunLine
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
+from labcal.record.bench_kind import REAL, SERVED, SIMULATED, kind_of
 
 BEGUN = QT_TRANSLATE_NOOP("Words", "Begun on the bench {0}.")
 OTHER = QT_TRANSLATE_NOOP(
     "Words", "▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on."
 )
-SIMULATED = QT_TRANSLATE_NOOP("Words", "{0} (simulated)")
-REAL = QT_TRANSLATE_NOOP("Words", "{0} (not simulated)")
+WHICH = {
+    SIMULATED: QT_TRANSLATE_NOOP("Words", "{0} (simulated)"),
+    SERVED: QT_TRANSLATE_NOOP("Words", "{0} (served)"),
+    REAL: QT_TRANSLATE_NOOP("Words", "{0} (not simulated)"),
+}
 
 
 def begun_on(one: RunLine) -> str:
@@ -36,13 +40,12 @@ def another_bench(one: RunLine, facts: Bench | None, answered: Mapping[str, Inst
         if said is not None and said.fault is None and said.identity not in ("", abridged(then)):
             why = f"{name} was {abridged(then)} when run {one.run_id} began, now it is {said.identity}"
             return f"▲ {begun_on(one).removesuffix('.')}: {in_words(why)}"
-    if one.bench == facts.name and one.simulated == facts.simulated:
+    now = kind_of(simulated=facts.virtual_time, served=facts.simulated)
+    known = now if one.simulated == facts.simulated else SIMULATED if one.simulated else REAL
+    then = one.bench_kind or known  # of a record that does not tell it
+    if one.bench == facts.name and then == now:
         return ""
     names = one.bench, facts.name
-    if one.bench == facts.name:  # a simulated lab is called as the real one
-        names = _which(one.bench, simulated=one.simulated), _which(facts.name, simulated=facts.simulated)
+    if one.bench == facts.name:  # a simulated lab is called as the real one, and as what it is served as
+        names = translated(str(WHICH[then])).format(one.bench), translated(str(WHICH[now])).format(facts.name)
     return translated(str(OTHER)).format(*names)
-
-
-def _which(bench: str, *, simulated: bool) -> str:
-    return translated(str(SIMULATED if simulated else REAL)).format(bench)

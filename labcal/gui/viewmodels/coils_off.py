@@ -205,6 +205,11 @@ class CoilsOff(QObject):
         """Whether a card says that the coils are not known to be at zero, or that the platform may turn still."""
         return self.unconfirmed is not None or self.turning is not None
 
+    @property
+    def told(self) -> bool:
+        """Whether COILS OFF was pressed just now: nobody is sent to press it who has."""
+        return bool(self.pressed) or (self._off_s is not None and time.monotonic() - self._off_s <= STOPS_S)
+
     def to_be_read(self) -> tuple[str, ...]:
         """Who is wrong; and once the coils were read at all, who tells how the lab is: hands go in after a run."""
         window = self._window
@@ -370,7 +375,7 @@ class CoilsOff(QObject):
         """For the line below: who is to be switched off now, and whether the platform stands; no age, it would stay."""
         platform = self._window.lab.state.now.platform_words.partition(", read ")[0]
         by_hand = by_hand_words(self._window.by_hand(), pressed=bool(self.pressed))
-        return "; ".join(filter(None, (by_hand or fault.text, platform_said(platform))))
+        return "; ".join(filter(None, (by_hand or fault.text, platform_said(platform, told=self.told))))
 
     def warn_anew(self) -> None:
         """The line below speaks of now, as the card does, as long as it says that."""

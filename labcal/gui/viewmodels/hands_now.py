@@ -10,20 +10,12 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.field_witness import field_says
 from labcal.gui.viewmodels.in_brief import in_brief
-from labcal.gui.viewmodels.lab_now import (
-    LOOK_S,
-    OFF,
-    STOP_UNSEEN,
-    WATCHED_S,
-    LabNow,
-    age_words,
-    as_watched,
-    platform_mark,
-    watched_age_s,
-)
+from labcal.gui.viewmodels.lab_now import OFF, STOP_UNSEEN, LabNow, platform_mark
+from labcal.gui.viewmodels.watched import as_watched, is_watched, let_in_s, watched_age_s
 
 ALONE = "alone"  # the state of a yes that one witness gives: they may, and it is no all clear
 MAY = "good", ALONE  # the states of a yes
+READ = QT_TRANSLATE_NOOP("Words", "read {0} s ago")
 TEXTS = (
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}"),
     QT_TRANSLATE_NOOP("Words", "▲ Hands off: not read yet"),
@@ -82,7 +74,7 @@ def left_words(now: LabNow) -> str:
 
 
 def hands_of(now: LabNow) -> tuple[str, str]:
-    """As `hands_words`, by the one rule of how old that may be: up to `WATCHED_S`, and then with its age, in amber.
+    """As `hands_words`, by the one rule of how old that may be, `is_watched`: till then the words stay as they are.
 
     Who gives no answer when it is looked at lets nobody in by what it said before. "bad" where a reason is known, which
     is as loud at rest as in a run; `OFF` where nobody has looked.
@@ -114,17 +106,20 @@ def _hands_by_age(now: LabNow) -> tuple[str, str]:
     seen = now.coil_words == state.AT_ZERO or now.coil_words.startswith(state.WAS_ZERO)
     zero = seen or now.coil_words.startswith((state.BY_WORD, state.WAS_ZERO_BY_WORD))
     stands = _rests(now.platform_words)
-    age_s = watched_age_s(now)
     if zero and now.coils_late:  # whoever has to wait for their answer is not read either
         return hands_words(state.WAS_ZERO, now.platform_words.partition(",")[0] if stands else now.platform_words)
-    if not zero or not stands or CHANGED in now.coil_words or not 0 < age_s <= WATCHED_S:
+    if not zero or not stands or CHANGED in now.coil_words or not watched_age_s(now) or not is_watched(now):
         return hands_words(now.coil_words or state.NOT_READ, now.platform_words)
-    watched = as_watched(now)
-    words, mark = hands_words(watched.coil_words, watched.platform_words)
-    if age_s <= LOOK_S:  # the next look is on time: an age that came and went each time would say nothing
-        return words, mark
-    if mark == "good":  # what is as old as that is green nowhere
-        words, mark = words.replace("✓", "●", 1), ALONE
-    age = f", {age_words(age_s)}"
-    said, apart, why = words.partition("; ")
-    return f"{said}{age}{apart}{why.removesuffix(age)}", mark  # what is as old as that is not dated twice
+    watched = as_watched(now)  # what a reading has shown keeps its words as long as it may be relied on
+    return hands_words(watched.coil_words, watched.platform_words)
+
+
+def read_words(now: LabNow, mark: str) -> str:
+    """How old the oldest reading is that lets hands in, beside a yes; "" beside a no, which says itself why."""
+    age_s = let_in_s(now) if mark in MAY else 0
+    return translated(str(READ)).format(age_s) if age_s else ""
+
+
+def dated(words: str, mark: str, now: LabNow) -> tuple[str, str]:
+    """The same with that age, where both stand in one line."""
+    return " · ".join(filter(None, (words, read_words(now, mark)))), mark

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from labcal.bench.coils import state
 from labcal.bench.coils.agreement import BEFORE_HANDS, MOVED, NO_AMBIENT
+from labcal.bench.coils.at_zero import FREE_S
 from labcal.gui.ipc.bench_facts import Bench
 from labcal.gui.ipc.lab_messages import InstrumentRead
 from labcal.gui.viewmodels.by_hand import last_read
@@ -111,7 +112,9 @@ class KnownLab:
 
     def late(self, facts: Bench | None, now_s: float) -> bool:
         """Whether a supply that answers would have been read back at zero by now, and one was not."""
-        if self.ordered_s is None or now_s - self.ordered_s <= ANSWERS_S + self._ramp_s(facts):
+        unread = self.state is None or all(coil.read_s is None for coil in self.state.coils)
+        answers_s = FREE_S if unread else ANSWERS_S  # of lines that nobody has opened yet
+        if self.ordered_s is None or now_s - self.ordered_s <= answers_s + self._ramp_s(facts):
             return False
         return self.state is None or bool(self._silent())
 
@@ -130,13 +133,25 @@ class KnownLab:
         known = self.state or state.LabState(())
         return replace(known, coils=state.unread(), field=replace(known.field, set_nT=None, changing=False))
 
-    def now(self, facts: Bench | None, now_s: float, *, driven: bool, by_s: float = math.inf) -> LabNow:
-        """What may be said at `now_s`; `driven`: by a run of this window. `by_s`: else coils are read again so soon."""
+    def now(
+        self,
+        facts: Bench | None,
+        now_s: float,
+        *,
+        driven: bool,
+        by_s: float = math.inf,
+        others_by_s: float = WATCHED_S,
+    ) -> LabNow:
+        """What may be said at `now_s`; `driven`: by a run of this window.
+
+        Else coils are read again by `by_s`, and who else lets hands in by `others_by_s`.
+        """
         roles = {} if facts is None else {name: one.role for name, one in facts.instruments.items()}
         known = self.as_now(facts, now_s)
         by_run = driven or facts is None or facts.virtual_time  # a supply that is read at rest says nothing of contacts
         by_s = self._patience_s(known, now_s, by_s, driven=driven)
         now = lab_now(known, self._received_s, roles, now_s, driven=driven, contacts_heard=by_run, coils_by_s=by_s)
+        now = replace(now, others_by_s=WATCHED_S if driven else others_by_s)
         now = replace(now, in_common=_in_common(known, facts), heard_at_s=self._heard.at_s(supplies(facts)))
         now = replace(now, lights=with_guardian(now.lights, facts))
         if not driven and facts is not None and facts.virtual_time:

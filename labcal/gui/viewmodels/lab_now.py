@@ -6,7 +6,7 @@ import math
 import re
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
@@ -37,6 +37,9 @@ BY_KEY = QT_TRANSLATE_NOOP(
     "Words",
     "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
     "controller",
+)
+TOLD = QT_TRANSLATE_NOOP(
+    "Words", "COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller"
 )
 STOP_UNSEEN = QT_TRANSLATE_NOOP("Words", "the platform was ordered to stop, and is not seen to stand yet")
 LOOK_S, LONGEST_ANSWER_S = 2, 2  # at rest: from one look to the next (coils are looked at more often), and its answer
@@ -77,6 +80,8 @@ class LabNow:
     coil_A: tuple[float | None, ...] = (None, None, None)  # x, y, z
     coil_old_s: int | None = None
     coil_words: str = ""
+    begun_s: tuple[int, int, int] = (0, 0, 0)  # how old coils, platform and reference are, in seconds that have begun
+    others_by_s: float = WATCHED_S  # so old may platform and reference be at rest that let hands in
     coils_late: bool = False  # at rest: the next look at them was not answered in time
     coils_at_zero: bool | None = None
     alone: str = ""  # why a zero rests on the supplies' word alone; "" where the reference has seen it
@@ -163,6 +168,11 @@ def lab_now(
         coil_A=_currents(lab, lost),
         coil_old_s=old_s(now_s - lab.age_s(now_s), now_s) if known else None,
         coil_words=in_places(lab.sentence(now_s, time.time() - time.monotonic() + now_s, lost=coils_lost)),
+        begun_s=(
+            _begun_s(lab.age_s(now_s) if known else None),
+            _begun_s(None if lab.platform is None or lab.platform.read_s is None else now_s - lab.platform.read_s),
+            _begun_s(None if lab.reference.read_s is None else now_s - lab.reference.read_s),
+        ),
         coils_late=known and not driven and lab.age_s(now_s) > coils_by_s,
         coils_at_zero=lab.at_zero(now_s),
         alone="" if lab.sentence(now_s) == state.AT_ZERO else lab.why_alone(now_s),
@@ -184,6 +194,11 @@ def lab_now(
         coils_lost=coils_lost,
         platform_lost="platform" in lost,
     )
+
+
+def _begun_s(age_s: float | None) -> int:
+    """An age is never said shorter than it is; 0 where nothing was read."""
+    return 0 if age_s is None or not math.isfinite(age_s) else max(1, math.ceil(age_s))
 
 
 def in_places(coil_words: str) -> str:
@@ -281,32 +296,6 @@ def platform_mark(words: str, coil_words: str = "") -> tuple[str, str]:
     return ("■", "") if coil_words.startswith(state.ON) else ("✓", "good")
 
 
-def as_watched(now: LabNow) -> LabNow:
-    """What was read at rest up to `WATCHED_S` ago is read on and stands: the same without its age."""
-    if now.coils_lost or now.platform_lost or now.coils_late or not 0 <= watched_age_s(now) <= WATCHED_S:
-        return now
-    if now.coil_words.startswith(state.WAS_ZERO) or _seen_between(now):
-        now = replace(now, coil_words=state.AT_ZERO, coils_at_zero=True)
-    elif now.coil_words.startswith(state.WAS_ZERO_BY_WORD):
-        words = f"{state.BY_WORD}: {now.alone}" if now.alone else state.BY_WORD
-        now = replace(now, coil_words=words, coils_at_zero=True)
-    stood = platform_mark(now.platform_words)[1] == "old"
-    return replace(now, platform_words=now.platform_words.partition(",")[0]) if stood else now
-
-
-def watched_age_s(now: LabNow) -> int:
-    """How old the oldest is of what lets hands in, in whole seconds; 0 where all is fresh."""
-    reference_s = now.reference_old_s if _seen_between(now) else 0
-    return max(now.coil_old_s or 0, now.platform_old_s or 0, reference_s or 0)
-
-
-def _seen_between(now: LabNow) -> bool:
-    """Whether the reference has seen the zero between two looks at the coils: it is looked at less often."""
-    recent = now.reference_agreed and 0 <= (now.reference_old_s or 0) <= WATCHED_S
-    read_on = now.alone != state.NOT_READ_ON and not now.driven
-    return recent and read_on and now.coil_words.startswith(state.BY_WORD)
-
-
 def off_words(coils: str, platform_words: str, at: str, *, later: bool = False) -> str:
     """One sentence after COILS OFF that reached zero: `at` what time, what was read back, whether the platform stands.
 
@@ -314,15 +303,15 @@ def off_words(coils: str, platform_words: str, at: str, *, later: bool = False) 
     """
     stands = translated(str(STOP_UNSEEN)) if later else ""
     said = translated("COILS OFF done {0}: {1}").format(at, coils)
-    return "; ".join(filter(None, (said, stands or platform_said(platform_words))))
+    return "; ".join(filter(None, (said, stands or platform_said(platform_words, told=True))))
 
 
-def platform_said(words: str) -> str:
-    """In the window's language; where it turns, or may, with what to do."""
+def platform_said(words: str, *, told: bool = False) -> str:
+    """In the window's language; where it turns, or may, with what to do. `told`: COILS OFF was pressed just now."""
     if platform_mark(words)[1] not in ("bad", "warning"):
         return in_words(words)
     heard = words != state.MAY_TURN  # its line answers, or did not long ago: nobody has to go to it first
-    stop = str(BY_KEY) if heard else "stop it at its controller, and see it stand"
+    stop = str(TOLD) if heard and told else str(BY_KEY) if heard else "stop it at its controller, and see it stand"
     return f"{in_words(words)}: {translated(stop)}"
 
 

@@ -11,6 +11,7 @@ import time
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from datetime import datetime
+from math import isfinite
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -20,7 +21,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.guardian import GUARDIAN
 from labcal.gui.viewmodels.hands_now import MAY
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow
+from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S, LabNow
 from labcal.gui.viewmodels.watch_round import COILS_S, WatchRound
 
 LOOK_MS = int(1000 * COILS_S)
@@ -52,7 +53,7 @@ class LabWatch(QObject):
         self.alone_since = ""  # by the clock on the wall, since when nobody reads; "" while somebody does
         self.round = WatchRound(lambda name: name in coils())
         self._asked: ReadLab | None = None
-        self._asked_s = 0.0
+        self._asked_s = self._idle_since_s = self._unasked_s = 0.0
         self._ready_for = ""  # the bench whose drivers the worker has loaded, while a run has their lines
         self._kept = set[str]()  # what a guardian that is still at work has not let go of
         self.timer = QTimer(self, interval=LOOK_MS)
@@ -70,6 +71,20 @@ class LabWatch(QObject):
             self._go_on()
         if self._asked is None and (beside := self.beside_off()) is not None:
             self._ask(beside)
+
+    def coils_by_s(self) -> float:
+        """A reading of the coils that is older is missed: they were asked, and have not answered.
+
+        For as long as nobody was asked, though it was time, the window is late, and not the lab; `WATCHED_S` holds.
+        """
+        by_s = self.round.by_s
+        if not isfinite(by_s):
+            return by_s
+        return float(WATCHED_S) if self._asked is None else min(float(WATCHED_S), by_s + self._unasked_s)
+
+    def patience(self) -> dict[str, float]:
+        """As `KnownLab.now` takes it."""
+        return {"by_s": self.coils_by_s(), "others_by_s": self.round.others_by_s}
 
     def prepare(self, bench: str) -> None:
         """A run goes on, on this bench ("": none does): whoever looks after it has nothing to load first."""
@@ -134,6 +149,7 @@ class LabWatch(QObject):
 
     def _ask(self, asked: ReadLab) -> None:
         self._asked, self._asked_s = asked, time.monotonic()
+        self._unasked_s = max(0.0, self._asked_s - self._idle_since_s - COILS_S)
         self._worker.request(asked, lambda said: self._read(asked, said), lambda fault: self._failed(asked, fault))
 
     def _read(self, asked: ReadLab, said: Readings) -> None:
@@ -150,7 +166,7 @@ class LabWatch(QObject):
         if for_a_person:
             self._lab.update(message=self._words(said))
         self.was_read.emit()
-        self.round.took(asked.names, took_s, silent=[one.name for one in said if one.fault])
+        self.round.took(asked.names, took_s, silent=[one.name for one in said if one.fault], now_s=time.monotonic())
         if for_a_person and took_s > LOOK_S:  # somebody was slow: what the others said is that old by now
             self.look()
         self._go_on()
@@ -180,5 +196,6 @@ class LabWatch(QObject):
 
     def _over(self) -> None:
         asked, self._asked = self._asked, None
+        self._idle_since_s = time.monotonic()
         if asked is not None and not asked.names:
             self._lab.update(reading=False)

@@ -8,7 +8,8 @@ from labcal.bench.coils import state
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import SHOWN
-from labcal.gui.viewmodels.lab_now import LOOK_S, LabNow, age_words, as_watched, mark_of, platform_mark, watched_age_s
+from labcal.gui.viewmodels.lab_now import LabNow, age_words, mark_of, platform_mark
+from labcal.gui.viewmodels.watched import as_watched
 
 OFF = QT_TRANSLATE_NOOP("Words", "{0} COILS OFF: {1}")
 SEEN = QT_TRANSLATE_NOOP("Words", "the reference agreed {0}")
@@ -21,8 +22,7 @@ def off_headline(now: LabNow) -> tuple[str, str]:
     Green as long as everybody it speaks of answers, and is read again and again; what is older has its age and
     another colour, as every other value. How old the rest is, the side panel says.
     """
-    late = not now.driven and watched_age_s(now) > LOOK_S
-    now = now if late else as_watched(now)
+    now = as_watched(now)
     if not now.coil_words:
         return "", ""
     if now.coils_at_zero is False:

@@ -13,9 +13,10 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.back_again import BackAgain
 from labcal.gui.viewmodels.failed_step import SHOWN
 from labcal.gui.viewmodels.lab import LabViewModel
-from labcal.gui.viewmodels.lab_now import LabNow, as_watched, platform_said
+from labcal.gui.viewmodels.lab_now import LabNow, platform_said
 from labcal.gui.viewmodels.lost_since import LostSince
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.watched import as_watched
 
 EVERYBODY = (
     ("BenchPage", "All {0} instruments answered"),

@@ -11,9 +11,8 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Collection, Sequence
-from statistics import median
 
-from labcal.gui.viewmodels.lab_now import LOOK_S, WATCHED_S
+from labcal.gui.viewmodels.lab_now import HOMES_S, LOOK_S, WATCHED_S
 
 COILS_S = 1.0  # from one look at the coils to the next
 LATE_S = 1.25  # one answer may be late by so much, and nobody is alarmed
@@ -33,6 +32,8 @@ class WatchRound:
         self._silent = set[str]()  # supplies of coils
         self._looks = self._just_looked = False  # at coils that answer: then is the time for one that does not
         self._others_s: dict[str, float] = {}  # what the last look at each of them took: coils wait for one of these
+        self._apart_s: dict[str, float] = {}  # by other, how long before the last answer it gave the one before that
+        self._answered_s: dict[str, float] = {}
 
     @property
     def by_s(self) -> float:
@@ -42,9 +43,19 @@ class WatchRound:
         """
         if not self._took_s:
             return math.inf
-        usual_s = median(self._took_s)
+        usual_s = max(self._took_s)  # a computer that is loaded makes each of them late now and then
         waits_s = max(LATE_S, *self._others_s.values(), 0.0)
         return min(WATCHED_S, max(COILS_S, usual_s) + waits_s + usual_s)
+
+    @property
+    def others_by_s(self) -> float:
+        """A reading of the others that is older lets nobody in; longer where their round is, as long as they answer.
+
+        Whoever has not been asked is not missed.
+        """
+        return min(
+            float(HOMES_S), max(float(WATCHED_S), *(apart_s + LATE_S for apart_s in self._apart_s.values()), 0.0)
+        )
 
     def begin(self, names: Sequence[str], now_s: float, *, at_once: bool = False) -> None:
         """Of `names` the coils that answer are due now, and the others that were not read for as long as a look takes.
@@ -72,8 +83,10 @@ class WatchRound:
         self._read_s |= {name: now_s for name in names if not self._in_looks(name)}
         return names
 
-    def took(self, names: Sequence[str], seconds: float, *, silent: Collection[str] = ()) -> None:
-        """So long it took until these were read, or, the `silent` ones, known to give no answer."""
+    def took(
+        self, names: Sequence[str], seconds: float, *, silent: Collection[str] = (), now_s: float | None = None
+    ) -> None:
+        """So long it took until these were read, or, the `silent` ones, known to give no answer, at `now_s`."""
         look = bool(names) and all(map(self._in_looks, names))
         slow = seconds > COILS_S and not silent  # one that fell silent waits no more; the others may have fallen too
         self._left_s = seconds * slow if look else self._left_s - seconds
@@ -81,7 +94,17 @@ class WatchRound:
             self._took_s.append(seconds)
         elif not look:
             self._others_s |= {name: seconds for name in names if not self._is_coil(name)}
+        if now_s is not None:
+            self._note_apart(names, silent, now_s)
         self._silent = (self._silent - set(names)) | set(filter(self._is_coil, silent))
+
+    def _note_apart(self, names: Sequence[str], silent: Collection[str], now_s: float) -> None:
+        for name in (one for one in names if not self._is_coil(one)):
+            before_s = None if name in silent else self._answered_s.get(name)
+            self._apart_s.pop(name, None)
+            if before_s is not None:
+                self._apart_s[name] = now_s - before_s
+            self._answered_s[name] = now_s
 
     def _in_looks(self, name: str) -> bool:
         """Whether it is looked at with the coils: those that answer are read at one moment."""
@@ -92,4 +115,4 @@ class WatchRound:
         self._due, self._left_s = [], 0.0
         self._read_s, self._silent = {}, set()
         self._took_s.clear()
-        self._others_s = {}
+        self._others_s, self._apart_s, self._answered_s = {}, {}, {}

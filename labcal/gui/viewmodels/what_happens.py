@@ -19,6 +19,7 @@ from labcal.gui.viewmodels.lab_now import OFF, WATCHED_S, LabNow, alarm_of, plat
 from labcal.gui.viewmodels.number_format import step_title
 from labcal.gui.viewmodels.pace import faster_than_life
 from labcal.gui.viewmodels.run import RunViewModel
+from labcal.gui.viewmodels.run_steps import kind_of
 from labcal.record.endings import STOPPED, ended_word
 
 COMES_BACK = QT_TRANSLATE_NOOP("Words", "A run goes on: the coils may be on. Hands off.")
@@ -35,6 +36,8 @@ KEEP, OUT = QT_TRANSLATE_NOOP("Words", "HANDS OFF"), QT_TRANSLATE_NOOP("Words", 
 OUT_NOW = QT_TRANSLATE_NOOP("Words", "▲ Hands off: {0}")
 NEXT = QT_TRANSLATE_NOOP("Words", "the field and the platform come next")
 COMES = QT_TRANSLATE_NOOP("Words", "the next field or turn comes unasked")
+TURNS = QT_TRANSLATE_NOOP("Words", "the platform turns next")
+GOING = QT_TRANSLATE_NOOP("Words", "COILS OFF: going to zero …")
 STOPS = QT_TRANSLATE_NOOP("Words", "stopping")
 BREAKS = QT_TRANSLATE_NOOP("Words", "the step is broken off")
 BEGINS = QT_TRANSLATE_NOOP("Words", "the run begins")
@@ -53,6 +56,9 @@ def what_happens(run: RunViewModel, now: LabNow, *, alarmed: bool = False) -> st
     if run.state in WORDS:
         doing = translated(str(WORDS[run.state]))
         live = still_live(now)
+        as_ordered = not (now.failed or alarm_of(now.coil_words))
+        if run.by_off and run.state == "stopping" and as_ordered:  # one sentence, until it has ended
+            return translated(str(KEEP_OFF)).format(translated(str(GOING)))
         return f"{_of_who_is_lost(now) or translated(str(KEEP_OFF)).format(live)} · {doing}" if live else doing
     return "" if alarmed else _of_who_is_lost(now) or _doing(run, now)
 
@@ -190,8 +196,7 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     promised = run.hands_off and run.state not in ("asking", "paused")
     words, mark = hands_of(replace(now, coil_words=state.NOT_READ) if begins(run, now) else now)
     if mark != "bad" and run.alive and (promised or run.segment is not None):
-        comes = STOPS if run.state == "stopping" else BREAKS if run.time.failed else COMES  # nothing comes after these
-        return translated(str(OUT_NOW)).format(translated(str(comes))), "bad"
+        return translated(str(OUT_NOW)).format(translated(str(_what_comes(run, now)))), "bad"
     if mark != "bad" and _just_begins(run):  # what was read before it says nothing of what it does
         return translated(str(OUT_NOW)).format(translated(str(BEGINS))), OFF
     if mark in MAY and _goes_on(run):
@@ -199,6 +204,20 @@ def _hands_at(run: RunViewModel, now: LabNow) -> tuple[str, str]:
     if mark in MAY and (out := asked_out(run, now)):
         return out, OFF
     return words, mark
+
+
+def _what_comes(run: RunViewModel, now: LabNow) -> str:
+    """Nothing, where the run or its step breaks off; else a turn, where the step is one, or what nobody asks about."""
+    if run.state == "stopping":
+        return str(STOPS)
+    if run.time.failed or now.failed:
+        return str(BREAKS)
+    return str(TURNS if run.step is not None and kind_of(run.step.name) == "turn" and _is_there(now) else COMES)
+
+
+def _is_there(now: LabNow) -> bool:
+    """Whether there is a platform that stands: one without a motor a person turns."""
+    return bool(now.platform_words) and platform_mark(now.platform_words)[1] in ("", "good")
 
 
 def _how_it_ended(run: RunViewModel, now: LabNow) -> str:

@@ -16,4 +16,4 @@ def say_coils(card: FaultCard, app_state: AppState) -> None:
     card.say_coils(app_state.coil_words(), app_state.by_hand(), said, pressed=bool(app_state.off.pressed))
     card.say_gravest(card_words(app_state.lab.state.now))
     card.say_not_read(app_state.off.not_read())
-    card.say_platform(app_state.platform_words())
+    card.say_platform(app_state.platform_words(), told=app_state.off.told)

@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 from labcal.gui.theming.font import with_tabular_figures
 from labcal.gui.theming.theme import GRID
 from labcal.gui.translations.translate import translated
+from labcal.gui.widgets.steady_button import SteadyButton
 
 W = TypeVar("W", bound=QWidget)
 ROUND_PX = 6
@@ -112,7 +113,7 @@ def say_wanted(chooser: QComboBox, wanted: str) -> None:
 
 def button(text: str, tip: str, *, primary: bool = False) -> QPushButton:
     """A push button; `primary` is the one thing to do on a page."""
-    widget = QPushButton(text)
+    widget = SteadyButton(text)
     widget.setToolTip(tip)
     widget.setObjectName("primary" if primary else "")
     widget.setAutoDefault(False)

@@ -240,12 +240,15 @@ class FaultCard(WholeCard):
         again = not self.hands.isHidden() and self.coils.text().removeprefix("✓ ") in self.hands.text()
         self.coils.setVisible(self._tells_coils and not again)
 
-    def say_platform(self, words: str) -> None:
-        """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor."""
+    def say_platform(self, words: str, *, told: bool = False) -> None:
+        """Whether it may turn still, in larger letters, or was seen to stand; nothing of one without a motor.
+
+        `told`: by COILS OFF, just now, to stop.
+        """
         shape, mark = platform_mark(words)
         keep_off = mark in ("warning", "bad")
         for place, shown in ((self.turning, keep_off), (self.platform, not keep_off)):
-            place.setText(f"{shape} {platform_said(words)}")
+            place.setText(f"{shape} {platform_said(words, told=told)}")
             place.setVisible(bool(words) and shown)
             set_state(place, mark)
         self.say_hands()

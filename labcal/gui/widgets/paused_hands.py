@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QLabel
 
+from labcal.gui.viewmodels.hands_now import dated
 from labcal.gui.viewmodels.lab import LabState
 from labcal.gui.widgets.common import set_state
 
@@ -20,7 +21,7 @@ class PausedHands(QLabel):
 
     def show_state(self, state: LabState, *, paused: bool) -> None:
         """As the side panel says it."""
-        words, mark = state.hands
+        words, mark = dated(*state.hands, state.now)
         self.setText(words)
         set_state(self, mark)
         self.setVisible(paused and bool(words))

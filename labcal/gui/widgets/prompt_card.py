@@ -14,11 +14,12 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.failed_step import NO_ANSWER, WHAT, asked_text, below, headline
 from labcal.gui.viewmodels.first_thing import first_thing
 from labcal.gui.viewmodels.hands import READY, RETRY, STILL_LOST, coming, reached_into
-from labcal.gui.viewmodels.hands_now import MAY, hands_of
-from labcal.gui.viewmodels.lab_now import OFF, LabNow, age_words, as_watched, mark_of, platform_drawn
+from labcal.gui.viewmodels.hands_now import MAY, dated, hands_of
+from labcal.gui.viewmodels.lab_now import OFF, LabNow, age_words, mark_of, platform_drawn
 from labcal.gui.viewmodels.lost_since import to_be_seen_to
 from labcal.gui.viewmodels.may_answer import acting, may_answer, moves_by_itself, wanted
 from labcal.gui.viewmodels.run import SERIAL
+from labcal.gui.viewmodels.watched import as_watched
 from labcal.gui.viewmodels.what_happens import in_shape
 from labcal.gui.widgets.answer_words import MOUNTING, WORDS, answer_label, unbroken
 from labcal.gui.widgets.camera_view import CameraView
@@ -225,13 +226,12 @@ class PromptCard(UncutCard):
             place.setText(f"{shape} {in_words(words)}".strip())
             place.setVisible(bool(words))
             set_state(place, mark)
-        words, mark = hands_of(now)
+        words, mark = dated(*hands_of(now), now)
         words, mark = (out, OFF) if out and mark in MAY else (words, mark)
         self.hands.setText(words if mark in MAY else in_shape(words, heading))
         set_state(self.hands, mark)
         self._first = first_thing(now)
-        whole = in_words(coil_words) in words or mark in MAY
-        self._said_once = whole and bool(coil_words)  # the same words need not follow
+        self._said_once = bool(coil_words) and (in_words(coil_words) in words or mark in MAY)  # they need not follow
         self._show_hands()
 
     def say_kept_out(self, words: str, mark: str, *, waits: bool) -> None:
