@@ -29,6 +29,7 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import short_number, turns_written
+from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, label, named, plain, set_state
@@ -36,6 +37,7 @@ from labcal.gui.widgets.file_columns import show_names_whole
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
+from labcal.gui.widgets.mark_column import MarkedButton
 from labcal.gui.widgets.next_button import NextButton
 from labcal.gui.widgets.plot_letters import scale_plots
 from labcal.gui.widgets.two_lines import TwoLines
@@ -44,7 +46,6 @@ NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side pan
 NUMBERED = 9  # pages have a key of their own
 OFF_KEY = Qt.Key.Key_F12
 OF_ITS_OWN = QDialog, QMenu  # windows beside this one
-NO_MARK = "\N{EM SPACE}\N{SIX-PER-EM SPACE}"  # as wide as a mark and the blank behind it
 
 
 def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:
@@ -88,6 +89,7 @@ class Frame(QMainWindow):
         self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self.sidebar_buttons, self._scale = QButtonGroup(self), 1.0
+        self.rail: list[MarkedButton] = []  # the same, by page
         self.says_off = True  # when it closes; else its worker finds the line closed, and takes the coils to zero
         self._names = tuple(pages)
         middle = QHBoxLayout()
@@ -126,8 +128,9 @@ class Frame(QMainWindow):
         column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
         column.setSpacing(0)
         for index, (name, page) in enumerate(pages.items()):
-            entry = named(QPushButton(translated(name)), "rail")
+            entry = named(MarkedButton(translated(name), SHAPES.values()), "rail")
             entry.setCheckable(True)
+            self.rail.append(entry)
             if index < NUMBERED:
                 entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
                 words = self.tr("the page {0}").format(translated(name))
@@ -171,12 +174,9 @@ class Frame(QMainWindow):
     def show_path(self, marks: Mapping[str, str], why: Mapping[str, str] | None = None) -> None:
         """A mark before the name of each page that is a step of the path; `why` it is that one, by page."""
         for index, name in enumerate(self._names):
-            mark = marks.get(name, "")
-            self.sidebar_buttons.button(index).setText(
-                f"{mark} {translated(name)}" if mark else f"{NO_MARK}{translated(name)}"
-            )
+            self.rail[index].set_mark(marks.get(name, ""))
             tip = self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1)
-            self.sidebar_buttons.button(index).setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
+            self.rail[index].setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
 
     def say_next(self, following: str, about: str = "") -> None:
         """What is next, in words, for the DUT that it is `about`; what was said of another is past."""
