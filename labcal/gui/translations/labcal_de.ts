@@ -1355,10 +1355,6 @@
         <translation>Nur die spätere korrigiert {0}.</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
-        <translation>»{0}« ist keine Seriennummer: Buchstaben und Ziffern, dazwischen . : / + # ( ) - oder Leerzeichen</translation>
-    </message>
-    <message>
         <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
         <translation>»{0}« ist keine Seriennummer dieses Messplatzes: sie entsprechen {1} (dut.serial_pattern)</translation>
     </message>
@@ -1485,6 +1481,18 @@
     <message>
         <source>{0}: no three columns beside a clock look like a magnetometer</source>
         <translation>{0}: keine drei Spalten neben einer Zeit sehen nach einem Magnetometer aus</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : + # ( ) - or blanks between them</source>
+        <translation>»{0}« ist keine Seriennummer: Buchstaben und Ziffern, dazwischen . : + # ( ) - oder Leerzeichen</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, which have no \ .. or control characters</source>
+        <translation>»{0}« ist keine Seriennummer: sie wird Teil von Dateinamen, in denen kein \ oder .. und keine Steuerzeichen stehen</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, where a / parts folders; a bench whose serials have one says so (dut.serial_pattern)</source>
+        <translation>»{0}« ist keine Seriennummer: sie wird Teil von Dateinamen, in denen / Ordner trennt; ein Messplatz, dessen Seriennummern eines haben, sagt es (dut.serial_pattern)</translation>
     </message>
     <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>

@@ -1355,10 +1355,6 @@
         <translation>Seul le nouveau corrige {0}.</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
-        <translation>« {0} » n&apos;est pas un numéro de série : lettres et chiffres, entre eux . : / + # ( ) - ou des espaces</translation>
-    </message>
-    <message>
         <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
         <translation>« {0} » n&apos;est pas un numéro de série de ce banc : ils suivent {1} (dut.serial_pattern)</translation>
     </message>
@@ -1485,6 +1481,18 @@
     <message>
         <source>{0}: no three columns beside a clock look like a magnetometer</source>
         <translation>{0} : aucun groupe de trois colonnes à côté d’un temps ne ressemble à un magnétomètre</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : + # ( ) - or blanks between them</source>
+        <translation>« {0} » n&apos;est pas un numéro de série : lettres et chiffres, entre eux . : + # ( ) - ou des espaces</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, which have no \ .. or control characters</source>
+        <translation>« {0} » n&apos;est pas un numéro de série : il entre dans des noms de fichiers, sans \ ni .. ni caractères de commande</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, where a / parts folders; a bench whose serials have one says so (dut.serial_pattern)</source>
+        <translation>« {0} » n&apos;est pas un numéro de série : il entre dans des noms de fichiers, où / sépare les dossiers ; un banc dont les numéros en ont un le dit (dut.serial_pattern)</translation>
     </message>
     <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
