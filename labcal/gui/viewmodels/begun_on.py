@@ -8,6 +8,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.links.quoting import abridged
 from labcal.gui.ipc.answers import Bench, InstrumentAnswer, RunLine
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
@@ -35,7 +36,7 @@ def another_bench(one: RunLine, facts: Bench | None, answered: Mapping[str, Inst
         said = answered.get(name)
         if said is not None and said.fault is None and said.identity not in ("", abridged(then)):
             why = f"{name} was {abridged(then)} when run {one.run_id} began, now it is {said.identity}"
-            return f"▲ {begun_on(one).removesuffix('.')}: {in_words(why)}"
+            return with_head(f"▲ {begun_on(one).removesuffix('.')}", in_words(why))
     if one.bench == facts.name and one.simulated == facts.simulated:
         return ""
     names = one.bench, facts.name

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import in_words, name_in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.cause_words import in_plain_words
@@ -90,7 +91,7 @@ def _budgeted(line: BudgetLine) -> list[Cell]:
     U = format_number(line.U, decimals_for(line.U, line.U), signed=False)
     name = f"{quantity} · {at}" if at else quantity
     return [
-        Cell(f"{name}: {shares[0]}" if shares else name, tip=tip),  # here, where the column is as wide as there is room
+        Cell(with_head(name, shares[0]) if shares else name, tip=tip),  # where the column takes what room there is
         Cell("–", right=True, tip=tip),
         Cell(U, right=True, tip=tip),
         Cell(line.unit),
