@@ -6182,6 +6182,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods compares eleven ways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is the offset [nT].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a run above, then Fit.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6203,10 +6211,6 @@
     </message>
     <message>
         <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit estimates K and k; All methods compares eleven ways.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -8175,6 +8179,10 @@
     </message>
     <message>
         <source>holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At its end a run comes back to a position of before, and has to read the same there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10409,7 +10417,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kept: {0}.</source>
+        <source>Measured already, and kept: {0} (how late the reading follows the field).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10514,6 +10522,14 @@
     </message>
     <message>
         <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain K {0} by {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a reading along {1} adds to the field along {0}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -6202,8 +6202,12 @@
         <translation>Bilder und die Zahlen jedes Verfahrens werden nicht aufbewahrt: Fit rechnet sie noch einmal, nebeneinander.</translation>
     </message>
     <message>
-        <source>Fit estimates K and k; All methods compares eleven ways.</source>
-        <translation>Fit schätzt K und k; Alle Verfahren vergleicht elf Wege.</translation>
+        <source>Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods compares eleven ways.</source>
+        <translation>Fit findet, was aus einer Anzeige das Feld macht: die Verstärkungen K und den Offset k des Sensors. Alle Verfahren vergleicht elf Wege.</translation>
+    </message>
+    <message>
+        <source>b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is the offset [nT].</source>
+        <translation>b = K m − k: das Feld b [nT] zur Anzeige m. K sind neun Verstärkungen, eine Zeile je Achse des Feldes; k ist der Offset [nT].</translation>
     </message>
     <message>
         <source>The first method takes some seconds.</source>
@@ -8176,6 +8180,10 @@
     <message>
         <source>holds</source>
         <translation>stimmt</translation>
+    </message>
+    <message>
+        <source>At its end a run comes back to a position of before, and has to read the same there.</source>
+        <translation>Am Ende kommt eine Messung in eine Stellung von vorher zurück und muss dort dasselbe anzeigen.</translation>
     </message>
     <message>
         <source>none yet</source>
@@ -10409,8 +10417,8 @@
         <translation>Eine andere Person genehmigt, Sie signieren, und die Datei wird ausgegeben.</translation>
     </message>
     <message>
-        <source>Kept: {0}.</source>
-        <translation>Bleibt: {0}.</translation>
+        <source>Measured already, and kept: {0} (how late the reading follows the field).</source>
+        <translation>Schon gemessen, und bleibt: {0} (wie spät die Anzeige dem Feld folgt).</translation>
     </message>
     <message>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
@@ -10515,6 +10523,14 @@
     <message>
         <source>The buttons of the run have just changed: nothing was done. Press again.</source>
         <translation>Die Knöpfe der Messung haben gerade gewechselt: nichts wurde getan. Noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>gain K {0} by {1}</source>
+        <translation>Verstärkung K {0} aus {1}</translation>
+    </message>
+    <message>
+        <source>What a reading along {1} adds to the field along {0}.</source>
+        <translation>Was eine Anzeige entlang {1} zum Feld entlang {0} beiträgt.</translation>
     </message>
 </context>
 <context>

@@ -6202,8 +6202,12 @@
         <translation>Les images et les chiffres de chaque méthode ne sont pas gardés&#xa0;: Ajuster les recalcule, côte à côte.</translation>
     </message>
     <message>
-        <source>Fit estimates K and k; All methods compares eleven ways.</source>
-        <translation>Ajuster estime K et k&#xa0;; Toutes compare onze voies.</translation>
+        <source>Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods compares eleven ways.</source>
+        <translation>Ajuster trouve ce qui fait d&apos;une lecture un champ&#xa0;: les gains K et le décalage k du capteur. Toutes compare onze voies.</translation>
+    </message>
+    <message>
+        <source>b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is the offset [nT].</source>
+        <translation>b = K m − k&#xa0;: le champ b [nT] de la lecture m. K, ce sont neuf gains, une ligne par axe du champ&#xa0;; k est le décalage [nT].</translation>
     </message>
     <message>
         <source>The first method takes some seconds.</source>
@@ -8176,6 +8180,10 @@
     <message>
         <source>holds</source>
         <translation>tient</translation>
+    </message>
+    <message>
+        <source>At its end a run comes back to a position of before, and has to read the same there.</source>
+        <translation>À sa fin, une mesure revient à une position d&apos;avant et doit y lire la même chose.</translation>
     </message>
     <message>
         <source>none yet</source>
@@ -10409,8 +10417,8 @@
         <translation>Une autre personne approuve, vous signez, et le fichier est remis.</translation>
     </message>
     <message>
-        <source>Kept: {0}.</source>
-        <translation>Conservé&#xa0;: {0}.</translation>
+        <source>Measured already, and kept: {0} (how late the reading follows the field).</source>
+        <translation>Déjà mesuré, et gardé&#xa0;: {0} (le retard de la lecture sur le champ).</translation>
     </message>
     <message>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
@@ -10515,6 +10523,14 @@
     <message>
         <source>The buttons of the run have just changed: nothing was done. Press again.</source>
         <translation>Les boutons de la mesure viennent de changer&#xa0;: rien n&apos;a été fait. Appuyez de nouveau.</translation>
+    </message>
+    <message>
+        <source>gain K {0} by {1}</source>
+        <translation>gain K {0} par {1}</translation>
+    </message>
+    <message>
+        <source>What a reading along {1} adds to the field along {0}.</source>
+        <translation>Ce qu&apos;une lecture selon {1} ajoute au champ selon {0}.</translation>
     </message>
 </context>
 <context>
