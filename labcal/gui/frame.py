@@ -33,6 +33,7 @@ from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, label, named, plain, set_state
+from labcal.gui.widgets.dialog_place import place_below_and_left
 from labcal.gui.widgets.file_columns import show_names_whole
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
@@ -44,6 +45,7 @@ from labcal.gui.widgets.two_lines import TwoLines
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
+OF_MESSAGE, OF_WHAT_HAPPENS = 3, 2  # shares of the line below, while something happens; else the message has it
 OFF_KEY = Qt.Key.Key_F12
 OF_ITS_OWN = QDialog, QMenu  # windows beside this one
 
@@ -161,14 +163,17 @@ class Frame(QMainWindow):
         return sidebar
 
     def _status_line(self) -> QWidget:
+        """What happens and what is next begin at one place, however long the words of either are."""
         self.bottom = line = Surface(Qt.Edge.TopEdge)
-        row = QHBoxLayout(line)
+        row, ahead = QHBoxLayout(line), QHBoxLayout()
         row.setContentsMargins(2 * GRID, GRID // 2, 2 * GRID, GRID // 2)
         row.setSpacing(GRID)
         row.addWidget(self.said_at)
-        row.addWidget(self.message, 1)
-        row.addWidget(self.waiting)
-        row.addWidget(self.next)
+        row.addWidget(self.message, OF_MESSAGE)
+        ahead.addWidget(self.waiting, 1)
+        ahead.addWidget(self.next)
+        row.addLayout(ahead)
+        self._line = row, ahead
         return line
 
     def show_path(self, marks: Mapping[str, str], why: Mapping[str, str] | None = None) -> None:
@@ -263,6 +268,8 @@ class Frame(QMainWindow):
         self.message.setText(turns_written(in_words(state.message)))
         self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
+        row, ahead = self._line
+        row.setStretchFactor(ahead, OF_WHAT_HAPPENS if state.waiting else 0)
         set_state(self.waiting, state.waiting_state)
 
     def _blank_line(self) -> None:
@@ -278,6 +285,7 @@ class Frame(QMainWindow):
                 put_off_into(watched, self.coils_off.emit)
             if isinstance(watched, QFileDialog):
                 show_names_whole(watched)
+                place_below_and_left(watched, self.top, self.side)  # whether hands may go in stands in both
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:
