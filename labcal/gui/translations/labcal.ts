@@ -6646,6 +6646,10 @@
 <context>
     <name>LazyPage</name>
     <message>
+        <source>This page is being made ready …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
         <translation type="unfinished"></translation>
     </message>

@@ -6646,6 +6646,10 @@
 <context>
     <name>LazyPage</name>
     <message>
+        <source>This page is being made ready …</source>
+        <translation>Diese Seite wird vorbereitet …</translation>
+    </message>
+    <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
         <translation>Alle anderen Seiten gehen. Das Paket dieser Seite richten oder entfernen.</translation>
     </message>

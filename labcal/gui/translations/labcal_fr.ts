@@ -6646,6 +6646,10 @@
 <context>
     <name>LazyPage</name>
     <message>
+        <source>This page is being made ready …</source>
+        <translation>Cette page est en préparation …</translation>
+    </message>
+    <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
         <translation>Toutes les autres pages marchent. Réparez le paquet de cette page, ou retirez-le.</translation>
     </message>
