@@ -10489,6 +10489,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>read again in the next step</source>
         <translation type="unfinished"></translation>
     </message>

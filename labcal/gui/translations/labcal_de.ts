@@ -10489,6 +10489,10 @@
         <translation>in Ruhe nicht abgefragt</translation>
     </message>
     <message>
+        <source>To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who it is.</source>
+        <translation>Wer nach ihm sieht, öffnet seinen Port: das setzt manchen Mikrocontroller zurück oder stellt um, was er sendet. Alle lesen fragt ihn, wer er ist.</translation>
+    </message>
+    <message>
         <source>read again in the next step</source>
         <translation>im nächsten Schritt wieder gelesen</translation>
     </message>

@@ -10489,6 +10489,10 @@
         <translation>pas lu au repos</translation>
     </message>
     <message>
+        <source>To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who it is.</source>
+        <translation>Le regarder ouvre son port&#xa0;: cela réinitialise bien des microcontrôleurs, ou change ce qu&apos;ils envoient. Tout lire lui demande qui il est.</translation>
+    </message>
+    <message>
         <source>read again in the next step</source>
         <translation>relu à l’étape suivante</translation>
     </message>
