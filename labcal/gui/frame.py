@@ -29,22 +29,25 @@ from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab import LabState, LabViewModel
 from labcal.gui.viewmodels.number_format import short_number, turns_written
+from labcal.gui.viewmodels.path import SHAPES
 from labcal.gui.viewmodels.said_for_now import SaidForNow
 from labcal.gui.widgets.by_itself import ByItself, ShownPart
 from labcal.gui.widgets.common import Surface, label, named, plain, set_state
+from labcal.gui.widgets.dialog_place import place_below_and_left
 from labcal.gui.widgets.file_columns import show_names_whole
 from labcal.gui.widgets.hold_button import HOLD_MS, KEYS
 from labcal.gui.widgets.kept_focus import focus_kept_in
 from labcal.gui.widgets.key_sheet import KeySheet, described, shortcuts
+from labcal.gui.widgets.mark_column import MarkedButton
 from labcal.gui.widgets.next_button import NextButton
 from labcal.gui.widgets.plot_letters import scale_plots
 from labcal.gui.widgets.two_lines import TwoLines
 
 NARROW_PX = 1200  # a window that is less wide has a narrow sidebar and side panel
 NUMBERED = 9  # pages have a key of their own
+OF_MESSAGE, OF_WHAT_HAPPENS = 3, 2  # shares of the line below, while something happens; else the message has it
 OFF_KEY = Qt.Key.Key_F12
 OF_ITS_OWN = QDialog, QMenu  # windows beside this one
-NO_MARK = "\N{EM SPACE}\N{SIX-PER-EM SPACE}"  # as wide as a mark and the blank behind it
 
 
 def put_off_into(dialog: QDialog, coils_off: Callable[[], object]) -> None:
@@ -88,6 +91,7 @@ class Frame(QMainWindow):
         self.next.hide()
         self.key_handlers: list[Callable[[QWidget, QKeyEvent], bool]] = []
         self.sidebar_buttons, self._scale = QButtonGroup(self), 1.0
+        self.rail: list[MarkedButton] = []  # the same, by page
         self.says_off = True  # when it closes; else its worker finds the line closed, and takes the coils to zero
         self._names = tuple(pages)
         middle = QHBoxLayout()
@@ -126,8 +130,9 @@ class Frame(QMainWindow):
         column.setContentsMargins(0, 2 * GRID, 0, 2 * GRID)
         column.setSpacing(0)
         for index, (name, page) in enumerate(pages.items()):
-            entry = named(QPushButton(translated(name)), "rail")
+            entry = named(MarkedButton(translated(name), SHAPES.values()), "rail")
             entry.setCheckable(True)
+            self.rail.append(entry)
             if index < NUMBERED:
                 entry.setToolTip(self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1))
                 words = self.tr("the page {0}").format(translated(name))
@@ -158,25 +163,25 @@ class Frame(QMainWindow):
         return sidebar
 
     def _status_line(self) -> QWidget:
+        """What happens and what is next begin at one place, however long the words of either are."""
         self.bottom = line = Surface(Qt.Edge.TopEdge)
-        row = QHBoxLayout(line)
+        row, ahead = QHBoxLayout(line), QHBoxLayout()
         row.setContentsMargins(2 * GRID, GRID // 2, 2 * GRID, GRID // 2)
         row.setSpacing(GRID)
         row.addWidget(self.said_at)
-        row.addWidget(self.message, 1)
-        row.addWidget(self.waiting)
-        row.addWidget(self.next)
+        row.addWidget(self.message, OF_MESSAGE)
+        ahead.addWidget(self.waiting, 1)
+        ahead.addWidget(self.next)
+        row.addLayout(ahead)
+        self._line = row, ahead
         return line
 
     def show_path(self, marks: Mapping[str, str], why: Mapping[str, str] | None = None) -> None:
         """A mark before the name of each page that is a step of the path; `why` it is that one, by page."""
         for index, name in enumerate(self._names):
-            mark = marks.get(name, "")
-            self.sidebar_buttons.button(index).setText(
-                f"{mark} {translated(name)}" if mark else f"{NO_MARK}{translated(name)}"
-            )
+            self.rail[index].set_mark(marks.get(name, ""))
             tip = self.tr("{0} (Ctrl+{1})").format(translated(name), index + 1)
-            self.sidebar_buttons.button(index).setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
+            self.rail[index].setToolTip("\n".join(filter(None, (tip, (why or {}).get(name, "")))))
 
     def say_next(self, following: str, about: str = "") -> None:
         """What is next, in words, for the DUT that it is `about`; what was said of another is past."""
@@ -263,6 +268,8 @@ class Frame(QMainWindow):
         self.message.setText(turns_written(in_words(state.message)))
         self.message.setToolTip(plain(self.message.text()))  # the whole, where there is no room for it
         self.waiting.setText(state.waiting)
+        row, ahead = self._line
+        row.setStretchFactor(ahead, OF_WHAT_HAPPENS if state.waiting else 0)
         set_state(self.waiting, state.waiting_state)
 
     def _blank_line(self) -> None:
@@ -278,6 +285,7 @@ class Frame(QMainWindow):
                 put_off_into(watched, self.coils_off.emit)
             if isinstance(watched, QFileDialog):
                 show_names_whole(watched)
+                place_below_and_left(watched, self.top, self.side)  # whether hands may go in stands in both
         if not isinstance(event, QKeyEvent):
             return False
         if event.type() == QEvent.Type.KeyPress and event.key() == OFF_KEY:

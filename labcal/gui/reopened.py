@@ -37,6 +37,7 @@ class Shown:
 
     def _replace(self, old: Window, application: QCoreApplication, language: str) -> None:
         old.language_switch.setEnabled(False)
+        old.language_switch.setText(f"{old.language_switch.text()} …")
         old.language_switch.repaint()
         old.app_state.settings.setValue("language", language)
         install_translator(application, QLocale(language))

@@ -41,6 +41,7 @@ from labcal.gui.widgets.common import (
 )
 from labcal.gui.widgets.few_lines import MOST_LINES, lines, said_shorter
 from labcal.gui.widgets.flow import Flow
+from labcal.gui.widgets.mark_column import MarkLabel
 from labcal.gui.widgets.rolled_column import RolledColumn
 
 UNITS = ("nT", "µT", "mG")
@@ -72,8 +73,8 @@ class InstrumentRow(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self.mark, self.name, self.age = label(), WholeWords(), label("", "caption", wrap=True)
-        self.back = label("", "caption", wrap=True)
+        self.mark, self.name = MarkLabel(shape for shape, *_ in LIGHT_SHAPES.values()), WholeWords()
+        self.age, self.back = label("", "caption", wrap=True), label("", "caption", wrap=True)
         row, said = QHBoxLayout(self), QVBoxLayout()
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(GRID // 2)

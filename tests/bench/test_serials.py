@@ -10,19 +10,32 @@ from labcal import session
 from labcal.bench.config import read_config
 from labcal.bench.serials import USUAL, objection
 from labcal.errors import InputError
+from labcal.record.run_id import name_outside
 from labcal.record.stream import Event, Prompt
 from labcal.runner.prompts import first_choice, yes_to_all
 from labcal.store import Store
 
 
-@pytest.mark.parametrize("serial", ["EM-07", "7", "S/N 0012 (B)", "Ärger_3.1", "MS-90:12#4+1", ""])
+@pytest.mark.parametrize("serial", ["EM-07", "7", "SN 0012 (B)", "Ärger_3.1", "MS-90:12#4+1", ""])
 def test_usual_serials_are_taken(serial: str) -> None:
     assert objection(serial, USUAL) == ""
 
 
-@pytest.mark.parametrize("serial", ["EM 07/!?<b>", "<b>", "EM-07 ", " EM-07", "EM-07;", "a\nb", "EM-07/", "-"])
+@pytest.mark.parametrize("serial", ["EM 07!?<b>", "<b>", "EM-07 ", " EM-07", "EM-07;", "-"])
 def test_what_stands_on_no_label_is_refused(serial: str) -> None:
-    assert "is no serial number" in objection(serial, USUAL)
+    assert "is no serial number: letters and digits" in objection(serial, USUAL)
+
+
+@pytest.mark.parametrize("serial", ["EM 09/../x", "EM\\09", "..", "EM..09", "a\nb", "EM\u202e09", "EM-07\x00"])
+def test_what_leads_elsewhere_in_a_file_s_name_is_refused_whatever_the_bench_takes(serial: str) -> None:
+    for pattern in (USUAL, r"[\s\S]*"):
+        assert "it becomes part of file names, which have no" in objection(serial, pattern)
+
+
+def test_a_bench_whose_serials_have_a_slash_says_so_and_its_files_stay_in_their_folder() -> None:
+    assert "where a / parts folders" in objection("S/N 0012", USUAL)
+    assert objection("S/N 0012", "S/N [0-9]{4}") == ""
+    assert name_outside("S/N 0012", "run-1_1") == "S-N-0012_run-1_1"
 
 
 def test_a_run_takes_no_other_serial_than_those_of_the_bench_file(tmp_path: Path) -> None:

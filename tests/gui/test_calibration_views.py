@@ -130,7 +130,7 @@ def test_a_few_figures_stand_first_and_the_map_behind_a_tab_of_its_own(views):
     assert text(views.table) == [["zero reading x", "−1\u202f250", "40", "nT"]]
     assert [views.tabs.isTabVisible(at) for at in (MAP, CAUSES, BUDGET)] == [True, False, False]
     views.tabs.setCurrentIndex(MAP)
-    assert [row[0] for row in text(views.table)][:4] == ["offset k x", "offset k y", "offset k z", "K xx"]
+    assert [row[0] for row in text(views.table)][:4] == ["offset k x", "offset k y", "offset k z", "gain K x by x"]
 
 
 def test_what_makes_most_of_each_uncertainty_stands_behind_a_tab_and_all_of_it_in_the_tip(views):
@@ -215,11 +215,11 @@ def test_every_row_of_a_map_says_its_unit_and_that_of_k_is_1_where_readings_are_
     assert [row[3].text for row in map_rows(one)] == ["nT"] * 3 + [said] * 9
 
 
-def test_rows_of_the_fit_table_say_that_k_has_no_unit(still):
+def test_rows_of_the_fit_table_name_each_gain_and_the_unit_of_offsets(still):
     page, study = still.page("Fit"), still.app_state.study_vm
     study.fits = {"ml": Fitted(FitFigures(False, "diverged"))}
     study.changed.emit()
     page.idle_queue.finish()
     names = [page.table.text(row, 0) for row in range(page.table.rowCount())]
-    assert [name for name in names if name.startswith("K ")] == [f"K {a}{b}  1" for a in "xyz" for b in "xyz"]
-    assert all("  " in name for name in names if name.startswith(("K ", "offset")))
+    assert names[-9:] == [f"gain K {a} by {b}" for a in "xyz" for b in "xyz"]
+    assert all("  nT" in name for name in names if name.startswith("offset"))  # gains have no unit

@@ -1,6 +1,7 @@
-"""Which file is which is read by its name: no column of Qt's dialog for files is cut."""
+"""Which file is which is read by its name: no column of the dialog is cut, and nothing said of hands lies below it."""
 
 import pytest
+from PySide6.QtCore import QPoint, QRect
 from PySide6.QtWidgets import QFileDialog, QTreeView
 from test_tenth_walk import in_language as in_language
 
@@ -29,4 +30,6 @@ def test_names_and_headings_of_its_columns_are_whole(new_window, qtbot, patience
     ] == []
     assert header.length() <= tree.viewport().width()
     assert (dialog.width(), dialog.height()) <= (size[0], size[1])
+    for one in (new_window.top, new_window.side):  # what is said of hands, and COILS OFF
+        assert not dialog.frameGeometry().intersects(QRect(one.mapToGlobal(QPoint(0, 0)), one.size()))
     dialog.close()

@@ -8,7 +8,7 @@ import pytest
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.bench_commands import read_bench
 from labcal.gui.ipc.messages import ReadBench, RunProcedure
-from labcal.gui.viewmodels.not_at_rest import not_at_rest
+from labcal.gui.viewmodels.not_at_rest import not_at_rest, why_not_at_rest
 
 BENCH = Path(__file__).parents[2] / "examples" / "simulated.toml"
 ONE_AXIS = "▲ No whole calibration can come of one body axis"
@@ -121,4 +121,5 @@ def test_that_a_run_holds_the_instruments_stands_beside_what_cannot_be_pressed(s
 @pytest.mark.parametrize(("driven", "said"), [(True, "read again in the next step"), (False, "not looked at at rest")])
 def test_why_the_dut_is_not_read_stands_in_its_row(driven, said):
     assert not_at_rest("dut", "old", driven=driven) == said
+    assert ("opens its port" in why_not_at_rest(f"◌ 35 s ago, {said}")) is not driven
     assert not_at_rest("dut", "ok", driven=driven) == not_at_rest("reference", "old", driven=driven) == ""

@@ -198,6 +198,8 @@ def test_the_row_of_the_dut_says_that_it_is_not_looked_at_at_rest(still):
     bench.show_readings()
     said = {bench.table.text(row, 1): bench.table.text(row, 5) for row in range(bench.table.rowCount())}
     assert said["dut"] == "◌ 35 s ago, not looked at at rest"
+    row = next(row for row in range(bench.table.rowCount()) if bench.table.text(row, 1) == "dut")
+    assert "opens its port" in bench.table.item(row, 5).toolTip()
     assert [name for name, words in said.items() if "not looked at" in words] == ["dut"]
     assert "dut" not in still.app_state.off.to_be_read()  # so it is
     still.app_state.take_lab(LabState(coils, instruments=(Heard("dut", None, "no samples"),)))

@@ -123,6 +123,22 @@ def test_a_second_click_while_the_window_stood_still_changes_nothing(qapp, new_w
     assert (shown.window, window.language_switch.text()) == (window, "Français")
 
 
+def test_what_is_not_there_yet_in_the_other_language_is_said_to_be_coming(
+    qapp, new_window, restored, monkeypatch, windows
+):
+    shown = Shown(new_window)
+    monkeypatch.setattr(Window, "prebuild", lambda window: None)
+    new_window.show()
+    new_window.open_page("Bench")
+    new_window.language_switch.click()
+    windows.append(window := shown.window)
+    assert new_window.language_switch.text() == "Deutsch …"
+    place = window.lazy_pages["Bench"]
+    assert (place.coming.isVisible(), place.coming.text()) == (True, "Diese Seite wird vorbereitet …")
+    place.built()
+    assert place.coming.isHidden()
+
+
 @pytest.mark.parametrize("pieces", [1, 20])
 def test_settings_that_come_while_their_page_is_built_have_their_style(
     qapp, new_window, restored, windows, monkeypatch, pieces

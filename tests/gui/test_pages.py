@@ -64,7 +64,7 @@ def test_a_run_is_opened_from_the_history_and_fitted(qtbot, lab):
     rows = {page.table.text(row, 0): page.table.text(row, 1) for row in range(page.table.rowCount())}
     assert rows["frame"] == "known"
     assert " ± " in rows["offset k x  nT"]
-    assert " ± " in rows["K xy  1"]
+    assert " ± " in rows["gain K x by y"]
     assert page.views.against.count() > 5
 
 

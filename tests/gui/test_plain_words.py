@@ -173,7 +173,8 @@ def test_a_fault_names_the_file_and_keeps_its_path_for_the_details():
 
 
 def test_the_names_of_parameters_stand_whole_beside_eleven_methods(still, qtbot):
-    from labcal.gui.pages.fit import GAINS, OFFSETS, QUALITY
+    from labcal.gui.pages.fit import OFFSETS, QUALITY
+    from labcal.gui.viewmodels.gain_words import GAINS, gain_name
 
     page = still.page("Fit")
     still.open_page("Fit")
@@ -181,7 +182,8 @@ def test_the_names_of_parameters_stand_whole_beside_eleven_methods(still, qtbot)
     still.app_state.study_vm.fits = {f"method-number-{n}": failed for n in range(11)}
     still.app_state.study_vm.changed.emit()
     page.idle_queue.finish()
-    widest = max(page.table.fontMetrics().horizontalAdvance(name) for name in (*QUALITY, *OFFSETS, *GAINS))
+    names = (*QUALITY, *OFFSETS, *(gain_name(*gain) for gain in GAINS))
+    widest = max(page.table.fontMetrics().horizontalAdvance(name) for name in names)
     assert page.table.columnWidth(0) >= widest
 
 

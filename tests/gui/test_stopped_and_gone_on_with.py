@@ -315,7 +315,7 @@ ASKS = Prompt(9.0, "mounting-stands", "Is it still mounted?", ("yes", "no"), Tru
     [
         (3, (), "No turn was finished"),  # the first turn of two broke off: both are measured after it
         (4, (NOISE,), "Lost: delay x, which comes of turns there and back"),
-        (7, (NOISE, DELAY_X), "Kept: delay x."),
+        (7, (NOISE, DELAY_X), "Measured already, and kept: delay x (how late"),
     ],
 )
 def test_what_becomes_of_the_delay_is_said_at_the_stop_and_at_the_question_before_it_goes_on(

@@ -20,7 +20,7 @@ from labcal.gui.viewmodels.applied_field import applied_field
 from labcal.gui.viewmodels.bench_to_do import remedy_of, to_do
 from labcal.gui.viewmodels.lab import Triple
 from labcal.gui.viewmodels.lab_now import LIGHT_SHAPES, age_words, field_age, old_s
-from labcal.gui.viewmodels.not_at_rest import not_at_rest
+from labcal.gui.viewmodels.not_at_rest import not_at_rest, why_not_at_rest
 from labcal.gui.viewmodels.number_format import format_number, short_number
 from labcal.gui.viewmodels.role_words import ORDER, reading_text, role_word
 from labcal.gui.viewmodels.simulated_bench import open_simulated_bench
@@ -346,7 +346,8 @@ class BenchPage(QWidget):
             standing, colour = self._standing(name)
             text = f"{words}   {age}" if old and not standing.endswith(age) else words  # an age stands once in a row
             self.table.set_cell(row, 4, text, colour=self._theme.muted if old else self._theme.text)
-            tip = f"{standing}\n{remedy_of(self._app_state, name)}".strip()
+            told = standing, why_not_at_rest(standing), remedy_of(self._app_state, name)
+            tip = "\n".join(filter(None, told))
             self.table.set_cell(row, 5, one_sentence(standing), colour=getattr(self._theme, colour), tip=tip)
         self._show_cage()
 

@@ -12,8 +12,8 @@ from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.viewmodels.calibration_rows import NONE
 from labcal.gui.viewmodels.fit_words import OF_WHICH, said_of, set_aside_words
+from labcal.gui.viewmodels.gain_words import GAINS, gain_means, gain_name
 from labcal.gui.viewmodels.kept_of_run import kept_words
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 from labcal.gui.widgets.common import Card, button, label, set_primary, set_state
@@ -29,7 +29,6 @@ from labcal.gui.widgets.work_bar import WorkBar
 
 QUALITY = ("held-out |b|  nT", "axis error, worst  deg", "time  s", "frame")
 OFFSETS = ("offset k x  nT", "offset k y  nT", "offset k z  nT")
-GAINS = tuple(f"K {a}{b}  {NONE}" for a in "xyz" for b in "xyz")
 LEAST_ROWS = 8  # of the table are always seen: how good, and where zero is
 FILTERS = ("ekf", "ukf", "ukf-augmented", "centered-sequential")
 
@@ -197,9 +196,18 @@ class FitPage(QWidget):
             kept += "\n" + self.tr(
                 "Pictures and the figures of each method are not kept: Fit works them out again, side by side."
             )
-        ready = refused or kept or self.tr("Fit estimates K and k; All methods compares eleven ways.")
+        finds = self.tr(
+            "Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods "
+            "compares eleven ways."
+        )
+        exactly = self.tr(
+            "b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is "
+            "the offset [nT]."
+        )
+        ready = refused or kept or finds
         waits = self.tr("The first method takes some seconds.") if study.busy else ready
         self.empty.setText(none or (waits if study.run else self.tr("Choose a run above, then Fit.")))
+        self.empty.setToolTip(exactly if self.empty.text() == finds else "")
         self.to_run.setVisible(bool(none))
         self.views.setVisible(bool(study.run))
 
@@ -207,10 +215,12 @@ class FitPage(QWidget):
         fits = self._study.fits
         self.table.set_headings((self.tr("parameter"), *fits))
         self.table.right_heading(*range(1, len(fits) + 1))
-        names = (*QUALITY, *OFFSETS, *GAINS)
-        self.table.setRowCount(len(names))
+        names = (*QUALITY, *OFFSETS)
+        self.table.setRowCount(len(names) + len(GAINS))
         for row, name in enumerate(names):
             self.table.set_cell(row, 0, translated(name), colour=self._colour(name))
+        for row, gain in enumerate(GAINS, start=len(names)):
+            self.table.set_cell(row, 0, gain_name(*gain), tip=gain_means(*gain))
         for column, said in enumerate(fits.values(), start=1):
             for row, text in enumerate(cells(said.fit)):
                 self.table.set_cell(row, column, text, right=True, tip=in_words(said.fit.why_not or ""))

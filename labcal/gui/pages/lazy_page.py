@@ -19,7 +19,7 @@ from labcal.gui.pages.registry import Themed, build_more, build_page
 from labcal.gui.theming.stylesheet import apply_style, styled_widgets
 from labcal.gui.theming.theme import GRID, Theme
 from labcal.gui.viewmodels.app_state import AppState
-from labcal.gui.widgets.common import Card, flat
+from labcal.gui.widgets.common import Card, flat, label
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import TIME_SLICE_S
 
@@ -103,7 +103,10 @@ class LazyPage(QWidget):
         self.place = Place(self.area)
         self.area.setWidget(self.place)
         self.place.setAutoFillBackground(False)
-        self._column.addWidget(self.area)
+        self.coming = label(self.tr("This page is being made ready …"))
+        self._column.addWidget(self.coming)
+        self.coming.setContentsMargins(2 * GRID, 2 * GRID, 2 * GRID, 0)
+        self._column.addWidget(self.area, 1)
 
     @property
     def ready(self) -> bool:
@@ -133,6 +136,7 @@ class LazyPage(QWidget):
             self.page = self._card(error)
             yield
         yield from self._styled(self.page)
+        self.coming.hide()
         self.place.hold(self.page)
 
     def _styled(self, page: QWidget) -> Iterator[None]:

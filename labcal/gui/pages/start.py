@@ -279,16 +279,18 @@ class StartPage(QWidget):
         return self._say("cage", f"{shape} {found}", words, state)
 
     def _closing_known(self, said: Checked | None) -> None:
+        what = self.tr("At its end a run comes back to a position of before, and has to read the same there.")
         if said is None or said.measurement is None:
-            return self._say(
-                "closing", self.tr("none yet"), self.tr("No finished run in the store has a closing check.")
-            )
+            none = self.tr("No finished run in the store has a closing check.")
+            return self._say("closing", self.tr("none yet"), f"{none}\n{what}")
         worst = said.measurement
         shape, state = STATES.get(said.verdict, ("", ""))
         U = format_number(2 * worst.u, signed=False)
         limit = "" if worst.limit is None else f" ({short_number(worst.limit)})"
         value = f"{step_title(worst.name)}: {format_number(worst.value)} ± {U} {worst.unit}{limit}"
-        return self._say("closing", f"{shape} {translated(said.verdict)}", f"{value}\n{run_title(said.run)}", state)
+        return self._say(
+            "closing", f"{shape} {translated(said.verdict)}", f"{value}\n{run_title(said.run)}\n{what}", state
+        )
 
     def _runs_known(self, runs: tuple[RunLine, ...]) -> None:
         self._app_state.path.take_runs(runs)

@@ -11,7 +11,16 @@ FAULTS = (  # of several that fit the first counts
     QT_TRANSLATE_NOOP("Data", "{0}: write the mapping by hand; it has {1}"),
     QT_TRANSLATE_NOOP("Data", "{0}: no three columns beside a clock look like a magnetometer"),
     QT_TRANSLATE_NOOP(
-        "Data", "'{0}' is no serial number: letters and digits, and . : / + # ( ) - or blanks between them"
+        "Data", "'{0}' is no serial number: letters and digits, and . : + # ( ) - or blanks between them"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "'{0}' is no serial number: it becomes part of file names, which have no \\ .. or control characters",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Data",
+        "'{0}' is no serial number: it becomes part of file names, where a / parts folders; a bench whose serials have "
+        "one says so (dut.serial_pattern)",
     ),
     QT_TRANSLATE_NOOP("Data", "'{0}' is no serial number of this bench: they match {1} (dut.serial_pattern)"),
     QT_TRANSLATE_NOOP("Data", "{0}: would lie among what is labcal's own; name another folder"),

@@ -1355,10 +1355,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1484,6 +1480,18 @@
     </message>
     <message>
         <source>{0}: no three columns beside a clock look like a magnetometer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : + # ( ) - or blanks between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, which have no \ .. or control characters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, where a / parts folders; a bench whose serials have one says so (dut.serial_pattern)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6178,6 +6186,14 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods compares eleven ways.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is the offset [nT].</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Choose a run above, then Fit.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6199,10 +6215,6 @@
     </message>
     <message>
         <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit estimates K and k; All methods compares eleven ways.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -6637,6 +6649,10 @@
 </context>
 <context>
     <name>LazyPage</name>
+    <message>
+        <source>This page is being made ready …</source>
+        <translation type="unfinished"></translation>
+    </message>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
         <translation type="unfinished"></translation>
@@ -8171,6 +8187,10 @@
     </message>
     <message>
         <source>holds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At its end a run comes back to a position of before, and has to read the same there.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10421,7 +10441,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Kept: {0}.</source>
+        <source>Measured already, and kept: {0} (how late the reading follows the field).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -10489,6 +10509,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>read again in the next step</source>
         <translation type="unfinished"></translation>
     </message>
@@ -10530,6 +10554,14 @@
     </message>
     <message>
         <source>The buttons of the run have just changed: nothing was done. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>gain K {0} by {1}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a reading along {1} adds to the field along {0}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

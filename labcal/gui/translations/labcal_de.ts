@@ -1355,10 +1355,6 @@
         <translation>Nur die spätere korrigiert {0}.</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
-        <translation>»{0}« ist keine Seriennummer: Buchstaben und Ziffern, dazwischen . : / + # ( ) - oder Leerzeichen</translation>
-    </message>
-    <message>
         <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
         <translation>»{0}« ist keine Seriennummer dieses Messplatzes: sie entsprechen {1} (dut.serial_pattern)</translation>
     </message>
@@ -1485,6 +1481,18 @@
     <message>
         <source>{0}: no three columns beside a clock look like a magnetometer</source>
         <translation>{0}: keine drei Spalten neben einer Zeit sehen nach einem Magnetometer aus</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : + # ( ) - or blanks between them</source>
+        <translation>»{0}« ist keine Seriennummer: Buchstaben und Ziffern, dazwischen . : + # ( ) - oder Leerzeichen</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, which have no \ .. or control characters</source>
+        <translation>»{0}« ist keine Seriennummer: sie wird Teil von Dateinamen, in denen kein \ oder .. und keine Steuerzeichen stehen</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, where a / parts folders; a bench whose serials have one says so (dut.serial_pattern)</source>
+        <translation>»{0}« ist keine Seriennummer: sie wird Teil von Dateinamen, in denen / Ordner trennt; ein Messplatz, dessen Seriennummern eines haben, sagt es (dut.serial_pattern)</translation>
     </message>
     <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
@@ -6198,8 +6206,12 @@
         <translation>Bilder und die Zahlen jedes Verfahrens werden nicht aufbewahrt: Fit rechnet sie noch einmal, nebeneinander.</translation>
     </message>
     <message>
-        <source>Fit estimates K and k; All methods compares eleven ways.</source>
-        <translation>Fit schätzt K und k; Alle Verfahren vergleicht elf Wege.</translation>
+        <source>Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods compares eleven ways.</source>
+        <translation>Fit findet, was aus einer Anzeige das Feld macht: die Verstärkungen K und den Offset k des Sensors. Alle Verfahren vergleicht elf Wege.</translation>
+    </message>
+    <message>
+        <source>b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is the offset [nT].</source>
+        <translation>b = K m − k: das Feld b [nT] zur Anzeige m. K sind neun Verstärkungen, eine Zeile je Achse des Feldes; k ist der Offset [nT].</translation>
     </message>
     <message>
         <source>The first method takes some seconds.</source>
@@ -6637,6 +6649,10 @@
 </context>
 <context>
     <name>LazyPage</name>
+    <message>
+        <source>This page is being made ready …</source>
+        <translation>Diese Seite wird vorbereitet …</translation>
+    </message>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
         <translation>Alle anderen Seiten gehen. Das Paket dieser Seite richten oder entfernen.</translation>
@@ -8172,6 +8188,10 @@
     <message>
         <source>holds</source>
         <translation>stimmt</translation>
+    </message>
+    <message>
+        <source>At its end a run comes back to a position of before, and has to read the same there.</source>
+        <translation>Am Ende kommt eine Messung in eine Stellung von vorher zurück und muss dort dasselbe anzeigen.</translation>
     </message>
     <message>
         <source>none yet</source>
@@ -10421,8 +10441,8 @@
         <translation>Eine andere Person genehmigt, Sie signieren, und die Datei wird ausgegeben.</translation>
     </message>
     <message>
-        <source>Kept: {0}.</source>
-        <translation>Bleibt: {0}.</translation>
+        <source>Measured already, and kept: {0} (how late the reading follows the field).</source>
+        <translation>Schon gemessen, und bleibt: {0} (wie spät die Anzeige dem Feld folgt).</translation>
     </message>
     <message>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
@@ -10489,6 +10509,10 @@
         <translation>in Ruhe nicht abgefragt</translation>
     </message>
     <message>
+        <source>To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who it is.</source>
+        <translation>Wer nach ihm sieht, öffnet seinen Port: das setzt manchen Mikrocontroller zurück oder stellt um, was er sendet. Alle lesen fragt ihn, wer er ist.</translation>
+    </message>
+    <message>
         <source>read again in the next step</source>
         <translation>im nächsten Schritt wieder gelesen</translation>
     </message>
@@ -10531,6 +10555,14 @@
     <message>
         <source>The buttons of the run have just changed: nothing was done. Press again.</source>
         <translation>Die Knöpfe der Messung haben gerade gewechselt: nichts wurde getan. Noch einmal drücken.</translation>
+    </message>
+    <message>
+        <source>gain K {0} by {1}</source>
+        <translation>Verstärkung K {0} aus {1}</translation>
+    </message>
+    <message>
+        <source>What a reading along {1} adds to the field along {0}.</source>
+        <translation>Was eine Anzeige entlang {1} zum Feld entlang {0} beiträgt.</translation>
     </message>
 </context>
 <context>

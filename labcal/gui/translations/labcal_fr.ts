@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>It begins though the check standard is out of control. Name and reason stand in its record and in the audit log; with a key they are signed.</source>
-        <translation>Elle commence bien que l’étalon de contrôle soit hors de contrôle. Le nom et la raison figurent dans son enregistrement et dans le journal d’audit ; avec une clé, ils sont signés.</translation>
+        <translation>Elle commence bien que l’étalon de contrôle soit hors de contrôle. Le nom et la raison figurent dans son enregistrement et dans le journal d’audit&#xa0;; avec une clé, ils sont signés.</translation>
     </message>
     <message>
         <source>Who answers for it</source>
@@ -25,7 +25,7 @@
     </message>
     <message>
         <source>What is known of the check standard: it was dropped</source>
-        <translation>Ce que l’on sait de l’étalon de contrôle : il est tombé</translation>
+        <translation>Ce que l’on sait de l’étalon de contrôle&#xa0;: il est tombé</translation>
     </message>
     <message>
         <source>Whose key signs it</source>
@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>Of this key; asked each time</source>
-        <translation>De cette clé ; demandée à chaque fois</translation>
+        <translation>De cette clé&#xa0;; demandée à chaque fois</translation>
     </message>
     <message>
         <source>Let it begin</source>
@@ -45,18 +45,18 @@
     </message>
     <message>
         <source>Begin this run; it is noted who answered for it</source>
-        <translation>Commencer cette mesure ; on note qui en répond</translation>
+        <translation>Commencer cette mesure&#xa0;; on note qui en répond</translation>
     </message>
     <message>
         <source>no key: not signed</source>
-        <translation>pas de clé : non signé</translation>
+        <translation>pas de clé&#xa0;: non signé</translation>
     </message>
 </context>
 <context>
     <name>AppState</name>
     <message>
         <source>A run goes on; open another bench after it.</source>
-        <translation>Une mesure est en cours ; ouvrez un autre banc après elle.</translation>
+        <translation>Une mesure est en cours&#xa0;; ouvrez un autre banc après elle.</translation>
     </message>
     <message>
         <source>Opening {0} …</source>
@@ -64,19 +64,19 @@
     </message>
     <message>
         <source>Scanned {0}; a run goes on, its DUT stays.</source>
-        <translation>{0} lu ; une mesure est en cours, son DUT reste.</translation>
+        <translation>{0} lu&#xa0;; une mesure est en cours, son DUT reste.</translation>
     </message>
     <message>
         <source>Scanned {0}; hands off: scan again once hands may go in.</source>
-        <translation>{0} scanné ; mains loin : scannez encore dès que les mains peuvent entrer.</translation>
+        <translation>{0} scanné&#xa0;; mains loin&#xa0;: scannez encore dès que les mains peuvent entrer.</translation>
     </message>
     <message>
         <source>✕ Scanned, and not taken: {0}</source>
-        <translation>✕ Lu, et non retenu : {0}</translation>
+        <translation>✕ Lu, et non retenu&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Scanned {0}: it is the DUT at the top.</source>
-        <translation>{0} lu : c&apos;est le DUT indiqué en haut.</translation>
+        <translation>{0} lu&#xa0;: c&apos;est le DUT indiqué en haut.</translation>
     </message>
     <message>
         <source>The bench is being opened …</source>
@@ -84,7 +84,7 @@
     </message>
     <message>
         <source>Open a bench first: yours, or the simulated lab.</source>
-        <translation>Ouvrez d&apos;abord un banc : le vôtre, ou le laboratoire simulé.</translation>
+        <translation>Ouvrez d&apos;abord un banc&#xa0;: le vôtre, ou le laboratoire simulé.</translation>
     </message>
     <message>
         <source>Scan or type the DUT&apos;s serial at the top.</source>
@@ -134,7 +134,7 @@
     </message>
     <message>
         <source>Type a value as TOML has it: 2.5, true, [1.0, 2.0], text between quotation marks; an empty one takes the setting away. In brackets: what holds where nothing is stated.</source>
-        <translation>Écrire la valeur comme en TOML : 2.5, true, [1.0, 2.0], texte entre guillemets ; une valeur vide retire le réglage. Entre crochets : ce qui vaut où rien n&apos;est indiqué.</translation>
+        <translation>Écrire la valeur comme en TOML&#xa0;: 2.5, true, [1.0, 2.0], texte entre guillemets&#xa0;; une valeur vide retire le réglage. Entre crochets&#xa0;: ce qui vaut où rien n&apos;est indiqué.</translation>
     </message>
     <message>
         <source>What would change</source>
@@ -154,7 +154,7 @@
     </message>
     <message>
         <source>Write these lines into the file; all others stay as they are</source>
-        <translation>Écrire ces lignes dans le fichier ; toutes les autres restent telles quelles</translation>
+        <translation>Écrire ces lignes dans le fichier&#xa0;; toutes les autres restent telles quelles</translation>
     </message>
     <message>
         <source>Back</source>
@@ -162,7 +162,7 @@
     </message>
     <message>
         <source>To the instruments; what was not saved is forgotten</source>
-        <translation>Aux instruments ; ce qui n&apos;a pas été enregistré est oublié</translation>
+        <translation>Aux instruments&#xa0;; ce qui n&apos;a pas été enregistré est oublié</translation>
     </message>
     <message>
         <source>{0} unless stated. {1}</source>
@@ -170,7 +170,7 @@
     </message>
     <message>
         <source>{0} (over several lines: change it in the file)</source>
-        <translation>{0} (sur plusieurs lignes : à changer dans le fichier)</translation>
+        <translation>{0} (sur plusieurs lignes&#xa0;: à changer dans le fichier)</translation>
     </message>
     <message>
         <source>{0} changed, not saved</source>
@@ -178,7 +178,7 @@
     </message>
     <message>
         <source>▲ Not a bench file then: {0}</source>
-        <translation>▲ Ce ne serait pas un fichier de banc : {0}</translation>
+        <translation>▲ Ce ne serait pas un fichier de banc&#xa0;: {0}</translation>
     </message>
     <message>
         <source>✓ A bench file</source>
@@ -186,7 +186,7 @@
     </message>
     <message>
         <source>Saved: {0}</source>
-        <translation>Enregistré : {0}</translation>
+        <translation>Enregistré&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The file is as it was.</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>A bench file (.toml): what stands in the lab, on which lines</source>
-        <translation>Un fichier de banc (.toml) : ce qui se trouve au labo, sur quelles lignes</translation>
+        <translation>Un fichier de banc (.toml)&#xa0;: ce qui se trouve au labo, sur quelles lignes</translation>
     </message>
     <message>
         <source>Simulated lab</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>A run goes on and holds the instruments; check them after it.</source>
-        <translation>Une mesure est en cours et tient les instruments ; vérifiez-les après.</translation>
+        <translation>Une mesure est en cours et tient les instruments&#xa0;; vérifiez-les après.</translation>
     </message>
     <message>
         <source>Asking who answers on this computer&apos;s lines …</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>{0} answered: {1}</source>
-        <translation>{0} ont répondu : {1}</translation>
+        <translation>{0} ont répondu&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Asking …</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Who answers for it says so on the terminal: labcal bench check {0} --clear-as NAME</source>
-        <translation>Qui en répond le dit au terminal : labcal bench check {0} --clear-as NAME</translation>
+        <translation>Qui en répond le dit au terminal&#xa0;: labcal bench check {0} --clear-as NAME</translation>
     </message>
     <message>
         <source>Instruments of {0}</source>
@@ -293,11 +293,11 @@
     </message>
     <message>
         <source>A run goes on and holds the instruments: after it.</source>
-        <translation>Une mesure est en cours et tient les appareils : après elle.</translation>
+        <translation>Une mesure est en cours et tient les appareils&#xa0;: après elle.</translation>
     </message>
     <message>
         <source>{0}, simulated: whichever DUT is typed</source>
-        <translation>{0}, simulé : quel que soit le DUT saisi</translation>
+        <translation>{0}, simulé&#xa0;: quel que soit le DUT saisi</translation>
     </message>
     <message>
         <source>all arrows to one scale</source>
@@ -305,7 +305,7 @@
     </message>
     <message>
         <source>as read last, not now; all arrows to one scale</source>
-        <translation>comme lu en dernier, pas maintenant ; toutes les flèches à la même échelle</translation>
+        <translation>comme lu en dernier, pas maintenant&#xa0;; toutes les flèches à la même échelle</translation>
     </message>
     <message>
         <source>applied</source>
@@ -321,7 +321,7 @@
     </message>
     <message>
         <source>&lt;br&gt;{0} here, outdoors: {1} ± {2} nT</source>
-        <translation>&lt;br&gt;{0} ici, dehors : {1} ± {2} nT</translation>
+        <translation>&lt;br&gt;{0} ici, dehors&#xa0;: {1} ± {2} nT</translation>
     </message>
     <message>
         <source>&lt;br&gt;&lt;br&gt;at most {0} A a coil&lt;br&gt;at most {1} nT</source>
@@ -378,7 +378,7 @@
     <name>CameraView</name>
     <message>
         <source>No camera: OpenCV is not installed (pip install &apos;labcal[camera]&apos;).</source>
-        <translation>Pas de caméra : OpenCV n&apos;est pas installé (pip install &apos;labcal[camera]&apos;).</translation>
+        <translation>Pas de caméra&#xa0;: OpenCV n&apos;est pas installé (pip install &apos;labcal[camera]&apos;).</translation>
     </message>
     <message>
         <source>No camera answers at {0}.</source>
@@ -398,18 +398,18 @@
     </message>
     <message>
         <source>Picture of the camera: the DUT as it stands now</source>
-        <translation>Image de la caméra : le DUT tel qu&apos;il se trouve maintenant</translation>
+        <translation>Image de la caméra&#xa0;: le DUT tel qu&apos;il se trouve maintenant</translation>
     </message>
 </context>
 <context>
     <name>CausesTable</name>
     <message>
         <source>Off the held-out rms beside declared errors, by it alone; –: not worked out</source>
-        <translation>Du rms mis de côté, à part les erreurs déclarées, par elle seule ; – : non calculé</translation>
+        <translation>Du rms mis de côté, à part les erreurs déclarées, par elle seule&#xa0;; –&#xa0;: non calculé</translation>
     </message>
     <message>
         <source>Whether it is enough for a name; –: it is for another reason that it is not named</source>
-        <translation>Si cela suffit pour la nommer ; – : c&apos;est pour une autre raison qu&apos;elle ne l&apos;est pas</translation>
+        <translation>Si cela suffit pour la nommer&#xa0;; –&#xa0;: c&apos;est pour une autre raison qu&apos;elle ne l&apos;est pas</translation>
     </message>
     <message>
         <source>What files and commands call it</source>
@@ -417,7 +417,7 @@
     </message>
     <message>
         <source>Candidates; choose one to see what it alone would change</source>
-        <translation>Candidats ; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
+        <translation>Candidats&#xa0;; choisissez-en un pour voir ce qu&apos;il changerait seul</translation>
     </message>
 </context>
 <context>
@@ -432,7 +432,7 @@
     </message>
     <message>
         <source>± U (k=2) is of the parameter in its line alone. That of a component of the field, its mounting included, is under Uncertainty; rms on the Fit and Loop pages is standard (k=1).</source>
-        <translation>± U (k=2) est celle du seul paramètre de la ligne. Celle d&apos;une composante du champ, montage compris, est sous Incertitude ; le rms des pages Ajuster et Causes est type (k=1).</translation>
+        <translation>± U (k=2) est celle du seul paramètre de la ligne. Celle d&apos;une composante du champ, montage compris, est sous Incertitude&#xa0;; le rms des pages Ajuster et Causes est type (k=1).</translation>
     </message>
     <message>
         <source>Choose a calibration, or say at the top which DUT.</source>
@@ -452,7 +452,7 @@
     </message>
     <message>
         <source>Its signatures are files beside it, {0}.sshsig: copy them into its folder, and verify it again.</source>
-        <translation>Ses signatures sont des fichiers à côté, {0}.sshsig : les copier dans le même dossier et vérifier à nouveau.</translation>
+        <translation>Ses signatures sont des fichiers à côté, {0}.sshsig&#xa0;: les copier dans le même dossier et vérifier à nouveau.</translation>
     </message>
     <message>
         <source>checked at {0}</source>
@@ -460,7 +460,7 @@
     </message>
     <message>
         <source>U: k=2</source>
-        <translation>U : k=2</translation>
+        <translation>U&#xa0;: k=2</translation>
     </message>
     <message>
         <source>The page where that is done</source>
@@ -468,7 +468,7 @@
     </message>
     <message>
         <source>No calibration of {0} yet: a fit, and the trace of what it leaves, write a draft.</source>
-        <translation>Pas encore d’étalonnage de {0} : un ajustement et l’explication de son résidu écrivent un projet.</translation>
+        <translation>Pas encore d’étalonnage de {0}&#xa0;: un ajustement et l’explication de son résidu écrivent un projet.</translation>
     </message>
     <message>
         <source>nobody yet</source>
@@ -476,7 +476,7 @@
     </message>
     <message>
         <source>Operator {0}; approved by {1}.</source>
-        <translation>Opérateur {0} ; approuvé par {1}.</translation>
+        <translation>Opérateur {0}&#xa0;; approuvé par {1}.</translation>
     </message>
 </context>
 <context>
@@ -503,7 +503,7 @@
     </message>
     <message>
         <source>How fast simulated time passes: as in the lab, faster, or as fast as the computer goes</source>
-        <translation>Vitesse du temps simulé : comme au laboratoire, plus vite, ou aussi vite que l&apos;ordinateur</translation>
+        <translation>Vitesse du temps simulé&#xa0;: comme au laboratoire, plus vite, ou aussi vite que l&apos;ordinateur</translation>
     </message>
     <message>
         <source>Asks every instrument who it is, then begins. Nothing is energised before you are asked.</source>
@@ -515,7 +515,7 @@
     </message>
     <message>
         <source>Rehearse this on the simulated lab: field, rate, angles, temperature, time, and what you are asked</source>
-        <translation>Répéter sur le laboratoire simulé : champ, vitesse, angles, température, durée, et ce qu&apos;on vous demande</translation>
+        <translation>Répéter sur le laboratoire simulé&#xa0;: champ, vitesse, angles, température, durée, et ce qu&apos;on vous demande</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -523,7 +523,7 @@
     </message>
     <message>
         <source>End the rehearsal; nothing was begun</source>
-        <translation>Arrêter la répétition ; rien n&apos;a commencé</translation>
+        <translation>Arrêter la répétition&#xa0;; rien n&apos;a commencé</translation>
     </message>
     <message>
         <source>▲ Unfinished run</source>
@@ -531,7 +531,7 @@
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+        <translation>Ce qui y manque&#xa0;; on vous demande si le montage est encore en place</translation>
     </message>
     <message>
         <source>Go on with {0}</source>
@@ -547,11 +547,11 @@
     </message>
     <message>
         <source>What this measures is added to run {0}; then the cause is decided again, by itself.</source>
-        <translation>Ce que cela mesure s&apos;ajoute à la mesure {0} ; puis la cause est de nouveau décidée, d&apos;elle-même.</translation>
+        <translation>Ce que cela mesure s&apos;ajoute à la mesure {0}&#xa0;; puis la cause est de nouveau décidée, d&apos;elle-même.</translation>
     </message>
     <message>
         <source>Its settings are those that tell most there; the next run has the usual ones again.</source>
-        <translation>Les réglages sont ceux qui en disent le plus ; la mesure suivante a de nouveau les habituels.</translation>
+        <translation>Les réglages sont ceux qui en disent le plus&#xa0;; la mesure suivante a de nouveau les habituels.</translation>
     </message>
     <message>
         <source>Correct what is red at the top.</source>
@@ -563,11 +563,11 @@
     </message>
     <message>
         <source>A setting is not accepted: see above.</source>
-        <translation>Un réglage n&apos;est pas accepté : voir plus haut.</translation>
+        <translation>Un réglage n&apos;est pas accepté&#xa0;: voir plus haut.</translation>
     </message>
     <message>
         <source>It cannot be begun as it is set: the plan says why.</source>
-        <translation>Ainsi réglé, cela ne peut commencer : le plan dit pourquoi.</translation>
+        <translation>Ainsi réglé, cela ne peut commencer&#xa0;: le plan dit pourquoi.</translation>
     </message>
     <message>
         <source>the plan</source>
@@ -605,7 +605,7 @@
     <name>CloseAtRest</name>
     <message>
         <source>Close the window?</source>
-        <translation>Fermer la fenêtre ?</translation>
+        <translation>Fermer la fenêtre&#xa0;?</translation>
     </message>
     <message>
         <source>Stay</source>
@@ -625,11 +625,11 @@
     </message>
     <message>
         <source>With the window closed the guardian keeps trying to bring every coil to zero; nobody sees whether it does.</source>
-        <translation>La fenêtre fermée, le gardien essaie encore de ramener chaque bobine à zéro ; personne ne voit s&apos;il y parvient.</translation>
+        <translation>La fenêtre fermée, le gardien essaie encore de ramener chaque bobine à zéro&#xa0;; personne ne voit s&apos;il y parvient.</translation>
     </message>
     <message>
         <source>No guardian holds the supplies: COILS OFF is given once more on closing; nobody sees what becomes of it.</source>
-        <translation>Aucun gardien ne tient les alimentations : BOBINES À ZÉRO est redonné à la fermeture ; personne n&apos;en voit l&apos;effet.</translation>
+        <translation>Aucun gardien ne tient les alimentations&#xa0;: BOBINES À ZÉRO est redonné à la fermeture&#xa0;; personne n&apos;en voit l&apos;effet.</translation>
     </message>
 </context>
 <context>
@@ -640,11 +640,11 @@
     </message>
     <message>
         <source>A run goes on: {0}</source>
-        <translation>Une mesure est en cours : {0}</translation>
+        <translation>Une mesure est en cours&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The coils go to zero, the window closes. What was measured is kept; this procedure cannot be gone on with.</source>
-        <translation>Les bobines vont à zéro, la fenêtre se ferme. Ce qui a été mesuré est gardé ; cette procédure ne peut pas être reprise.</translation>
+        <translation>Les bobines vont à zéro, la fenêtre se ferme. Ce qui a été mesuré est gardé&#xa0;; cette procédure ne peut pas être reprise.</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -652,7 +652,7 @@
     </message>
     <message>
         <source>The coils go to zero, the window closes. What is missing is measured later: Go on, on the Start page.</source>
-        <translation>Les bobines vont à zéro, la fenêtre se ferme. Ce qui manque est mesuré plus tard : Continuer, à la page d&apos;accueil.</translation>
+        <translation>Les bobines vont à zéro, la fenêtre se ferme. Ce qui manque est mesuré plus tard&#xa0;: Continuer, à la page d&apos;accueil.</translation>
     </message>
     <message>
         <source>Keep running behind</source>
@@ -675,39 +675,39 @@
     <name>CoilsOff</name>
     <message>
         <source>Coils off: no bench is open, this window drives no coil.</source>
-        <translation>Bobines à zéro : aucun banc n&apos;est ouvert, cette fenêtre ne pilote aucune bobine.</translation>
+        <translation>Bobines à zéro&#xa0;: aucun banc n&apos;est ouvert, cette fenêtre ne pilote aucune bobine.</translation>
     </message>
     <message>
         <source>Coils off: reading them back …</source>
-        <translation>Bobines à zéro : relecture …</translation>
+        <translation>Bobines à zéro&#xa0;: relecture …</translation>
     </message>
     <message>
         <source>Checking the zero: coils to zero, then what the reference sees …</source>
-        <translation>Le zéro est vérifié : bobines à zéro, puis ce que voit la référence …</translation>
+        <translation>Le zéro est vérifié&#xa0;: bobines à zéro, puis ce que voit la référence …</translation>
     </message>
     <message>
         <source>Nobody has seen it stand yet: its line may be silent, or kept by another program.</source>
-        <translation>Personne ne l’a encore vue arrêtée : sa ligne est peut-être muette, ou gardée par un autre programme.</translation>
+        <translation>Personne ne l’a encore vue arrêtée&#xa0;: sa ligne est peut-être muette, ou gardée par un autre programme.</translation>
     </message>
     <message>
         <source>Press COILS OFF (F12): it stops the platform as well. Hands off until you see it stand.</source>
-        <translation>Appuyez sur BOBINES À ZÉRO (F12) : la plate-forme s’arrête aussi. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
+        <translation>Appuyez sur BOBINES À ZÉRO (F12)&#xa0;: la plate-forme s’arrête aussi. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
         <source>COILS OFF does not reach it: stop it at its controller. Hands off until you see it stand.</source>
-        <translation>BOBINES À ZÉRO ne l’atteint pas : arrêtez-la à son contrôleur. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
+        <translation>BOBINES À ZÉRO ne l’atteint pas&#xa0;: arrêtez-la à son contrôleur. Mains loin jusqu’à ce que vous la voyiez arrêtée.</translation>
     </message>
     <message>
         <source>The platform kept turning: COILS OFF is given anew, and stops it …</source>
-        <translation>La plate-forme tournait encore : BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
+        <translation>La plate-forme tournait encore&#xa0;: BOBINES À ZÉRO est donné de nouveau, et l’arrête …</translation>
     </message>
     <message>
         <source>No answer yet from: {0}</source>
-        <translation>Pas encore de réponse de : {0}</translation>
+        <translation>Pas encore de réponse de&#xa0;: {0}</translation>
     </message>
     <message>
         <source>By hand: at its panel, or at its mains switch.</source>
-        <translation>À la main : à son panneau, ou à son interrupteur secteur.</translation>
+        <translation>À la main&#xa0;: à son panneau, ou à son interrupteur secteur.</translation>
     </message>
 </context>
 <context>
@@ -718,7 +718,7 @@
     </message>
     <message>
         <source>{0}: two runs compared</source>
-        <translation>{0} : deux mesures comparées</translation>
+        <translation>{0}&#xa0;: deux mesures comparées</translation>
     </message>
     <message>
         <source>Earlier</source>
@@ -742,7 +742,7 @@
     </message>
     <message>
         <source>U: k=2</source>
-        <translation>U : k=2</translation>
+        <translation>U&#xa0;: k=2</translation>
     </message>
     <message>
         <source>Back</source>
@@ -782,11 +782,11 @@
     </message>
     <message>
         <source>band: the larger noise that the two fits make of their own residuals, k=2; none is stated</source>
-        <translation>bande : le plus grand bruit que les deux ajustements tirent de leur propre résidu, k=2 ; aucun n&apos;est indiqué</translation>
+        <translation>bande&#xa0;: le plus grand bruit que les deux ajustements tirent de leur propre résidu, k=2&#xa0;; aucun n&apos;est indiqué</translation>
     </message>
     <message>
         <source>band: the larger of the two runs&apos; stated noises of |b|, k=2, as on the Fit page</source>
-        <translation>bande : le plus grand des bruits de |b| indiqués par les deux mesures, k=2, comme à la page Ajuster</translation>
+        <translation>bande&#xa0;: le plus grand des bruits de |b| indiqués par les deux mesures, k=2, comme à la page Ajuster</translation>
     </message>
     <message>
         <source>no reference, no residual</source>
@@ -798,7 +798,7 @@
     </message>
     <message>
         <source>faint: behind the sphere</source>
-        <translation>pâle : derrière la sphère</translation>
+        <translation>pâle&#xa0;: derrière la sphère</translation>
     </message>
 </context>
 <context>
@@ -809,11 +809,11 @@
     </message>
     <message>
         <source>{0}, this turn: {1} % of the circle</source>
-        <translation>{0}, ce tour : {1} % du cercle</translation>
+        <translation>{0}, ce tour&#xa0;: {1} % du cercle</translation>
     </message>
     <message>
         <source>{0}: {1} % of the circle</source>
-        <translation>{0} : {1} % du cercle</translation>
+        <translation>{0}&#xa0;: {1} % du cercle</translation>
     </message>
 </context>
 <context>
@@ -824,7 +824,7 @@
     </message>
     <message>
         <source>coils NOT confirmed at zero; {0}</source>
-        <translation>zéro des bobines NON confirmé ; {0}</translation>
+        <translation>zéro des bobines NON confirmé&#xa0;; {0}</translation>
     </message>
     <message>
         <source>coils NOT confirmed at zero</source>
@@ -832,7 +832,7 @@
     </message>
     <message>
         <source>NOT at zero by the reference: {0}. {1}</source>
-        <translation>PAS à zéro selon la référence : {0}. {1}</translation>
+        <translation>PAS à zéro selon la référence&#xa0;: {0}. {1}</translation>
     </message>
     <message>
         <source>NOT at zero by the reference</source>
@@ -844,11 +844,11 @@
     </message>
     <message>
         <source>coils on: {0}</source>
-        <translation>bobines sous courant : {0}</translation>
+        <translation>bobines sous courant&#xa0;: {0}</translation>
     </message>
     <message>
         <source>coils on: {0}, read back {1}</source>
-        <translation>bobines sous courant : {0}, relu {1}</translation>
+        <translation>bobines sous courant&#xa0;: {0}, relu {1}</translation>
     </message>
     <message>
         <source>platform NOT confirmed at a standstill</source>
@@ -868,11 +868,11 @@
     </message>
     <message>
         <source>coils confirmed at zero {0}; not watched since</source>
-        <translation>bobines confirmées à zéro {0} ; non surveillées depuis</translation>
+        <translation>bobines confirmées à zéro {0}&#xa0;; non surveillées depuis</translation>
     </message>
     <message>
         <source>coils read back at zero by the supply&apos;s word {0}; not watched since</source>
-        <translation>bobines relues à zéro d&apos;après les alimentations {0} ; non surveillées depuis</translation>
+        <translation>bobines relues à zéro d&apos;après les alimentations {0}&#xa0;; non surveillées depuis</translation>
     </message>
     <message>
         <source>the reference has no ambient field to compare with yet</source>
@@ -880,15 +880,15 @@
     </message>
     <message>
         <source>Still lost: {0}. Put that right first: a step begun now fails again.</source>
-        <translation>Toujours perdu : {0}. Réparez d&apos;abord : une étape commencée maintenant échoue encore.</translation>
+        <translation>Toujours perdu&#xa0;: {0}. Réparez d&apos;abord&#xa0;: une étape commencée maintenant échoue encore.</translation>
     </message>
     <message>
         <source>taking the coils to zero: ordered, not read back yet …</source>
-        <translation>Les bobines vont à zéro : ordonné, pas encore relu …</translation>
+        <translation>Les bobines vont à zéro&#xa0;: ordonné, pas encore relu …</translation>
     </message>
     <message>
         <source>coils NOT confirmed at zero: {0}</source>
-        <translation>bobines NON confirmées à zéro : {0}</translation>
+        <translation>bobines NON confirmées à zéro&#xa0;: {0}</translation>
     </message>
     <message>
         <source>coils read back at zero by their supplies</source>
@@ -896,7 +896,7 @@
     </message>
     <message>
         <source>coils may be on: a run goes on, and nothing was read yet</source>
-        <translation>bobines peut-être alimentées : une mesure est en cours, et rien n’a encore été lu</translation>
+        <translation>bobines peut-être alimentées&#xa0;: une mesure est en cours, et rien n’a encore été lu</translation>
     </message>
     <message>
         <source>coils may be on</source>
@@ -920,11 +920,11 @@
     </message>
     <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned</source>
-        <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait</translation>
+        <translation>arrêt de la plate-forme NON confirmé&#xa0;: à {0}° elle tournait</translation>
     </message>
     <message>
         <source>platform NOT confirmed at a standstill: at {0}° it turned, {1}</source>
-        <translation>arrêt de la plate-forme NON confirmé : à {0}° elle tournait, {1}</translation>
+        <translation>arrêt de la plate-forme NON confirmé&#xa0;: à {0}° elle tournait, {1}</translation>
     </message>
     <message>
         <source>coils confirmed at zero {0}</source>
@@ -992,11 +992,11 @@
     </message>
     <message>
         <source>the reference is looked at again: {0}, {1} s ago</source>
-        <translation>la référence est examinée de nouveau : {0}, il y a {1} s</translation>
+        <translation>la référence est examinée de nouveau&#xa0;: {0}, il y a {1} s</translation>
     </message>
     <message>
         <source>the reference is looked at again: {0}</source>
-        <translation>la référence est examinée de nouveau : {0}</translation>
+        <translation>la référence est examinée de nouveau&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the reference agreed when it was last looked at, {0}</source>
@@ -1004,7 +1004,7 @@
     </message>
     <message>
         <source>it sees {0} nT, {1} nT expected: {2} µT apart, {3} µT allowed</source>
-        <translation>elle voit {0} nT, attendu {1} nT : écart {2} µT, permis {3} µT</translation>
+        <translation>elle voit {0} nT, attendu {1} nT&#xa0;: écart {2} µT, permis {3} µT</translation>
     </message>
     <message>
         <source>{0} UTC, {1}</source>
@@ -1012,11 +1012,11 @@
     </message>
     <message>
         <source>It is as if {0} A flowed in coil {1}: open the output of {2} at its panel, or switch it off at its mains</source>
-        <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : ouvrir la sortie de {2} sur l&apos;appareil, ou le couper au secteur</translation>
+        <translation>C&apos;est comme si {0} A passaient dans la bobine {1}&#xa0;: ouvrir la sortie de {2} sur l&apos;appareil, ou le couper au secteur</translation>
     </message>
     <message>
         <source>It is as if {0} A flowed in coil {1}: switch off {2} at its mains (no command opens its output)</source>
-        <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : couper {2} au secteur (aucune commande n&apos;ouvre sa sortie)</translation>
+        <translation>C&apos;est comme si {0} A passaient dans la bobine {1}&#xa0;: couper {2} au secteur (aucune commande n&apos;ouvre sa sortie)</translation>
     </message>
     <message>
         <source>{0} s ago</source>
@@ -1044,15 +1044,15 @@
     </message>
     <message>
         <source>Scan the serial of the DUT as it is mounted now: this run is of {0}.</source>
-        <translation>Lisez le numéro de série du DUT tel qu&apos;il est monté maintenant : cette mesure porte sur {0}.</translation>
+        <translation>Lisez le numéro de série du DUT tel qu&apos;il est monté maintenant&#xa0;: cette mesure porte sur {0}.</translation>
     </message>
     <message>
         <source>{0}: that is not the DUT of this run. Mount {1}, then scan its serial again.</source>
-        <translation>{0} : ce n&apos;est pas le DUT de cette mesure. Montez {1}, puis lisez de nouveau son numéro de série.</translation>
+        <translation>{0}&#xa0;: ce n&apos;est pas le DUT de cette mesure. Montez {1}, puis lisez de nouveau son numéro de série.</translation>
     </message>
     <message>
         <source>Mount the DUT with body Z up, body X towards the cage&apos;s X; then {0}.</source>
-        <translation>Monter le DUT axe Z du corps vers le haut, axe X du corps vers le X de la cage ; puis {0}.</translation>
+        <translation>Monter le DUT axe Z du corps vers le haut, axe X du corps vers le X de la cage&#xa0;; puis {0}.</translation>
     </message>
     <message>
         <source>as it stands</source>
@@ -1072,15 +1072,15 @@
     </message>
     <message>
         <source>Why is axis {0} redone? What was measured stays in the record, marked as not used.</source>
-        <translation>Pourquoi refaire l&apos;axe {0} ? Ce qui a été mesuré reste dans l&apos;enregistrement, marqué non utilisé.</translation>
+        <translation>Pourquoi refaire l&apos;axe {0}&#xa0;? Ce qui a été mesuré reste dans l&apos;enregistrement, marqué non utilisé.</translation>
     </message>
     <message>
         <source>Why is {0} skipped?</source>
-        <translation>Pourquoi sauter {0} ?</translation>
+        <translation>Pourquoi sauter {0}&#xa0;?</translation>
     </message>
     <message>
         <source>the disk is slow: rows wait {0} s in memory</source>
-        <translation>le disque est lent : des lignes attendent {0} s en mémoire</translation>
+        <translation>le disque est lent&#xa0;: des lignes attendent {0} s en mémoire</translation>
     </message>
     <message>
         <source>the disk takes what is recorded again</source>
@@ -1088,7 +1088,7 @@
     </message>
     <message>
         <source>{0}: body {1} is up, not {2}. Mount it again: this turn says nothing of {2}.</source>
-        <translation>{0} : l&apos;axe {1} du corps est en haut, pas {2}. Remontez-le : ce tour ne dit rien de {2}.</translation>
+        <translation>{0}&#xa0;: l&apos;axe {1} du corps est en haut, pas {2}. Remontez-le&#xa0;: ce tour ne dit rien de {2}.</translation>
     </message>
     <message>
         <source>Switch the DUT to power mode {0}.</source>
@@ -1112,11 +1112,11 @@
     </message>
     <message>
         <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort). No faster than {1} deg/s.</source>
-        <translation>Tourner le plate-forme à {0}° de son cadran, mains loin, et entrer ce qu&apos;il indique (ou : abort). Pas plus vite que {1} deg/s.</translation>
+        <translation>Tourner le plate-forme à {0}° de son cadran, mains loin, et entrer ce qu&apos;il indique (ou&#xa0;: abort). Pas plus vite que {1} deg/s.</translation>
     </message>
     <message>
         <source>Turn the platform to {0}° on its dial, take your hands off, and enter what it reads (or: abort).</source>
-        <translation>Tourner le plate-forme à {0}° de son cadran, mains loin, et entrer ce qu&apos;il indique (ou : abort).</translation>
+        <translation>Tourner le plate-forme à {0}° de son cadran, mains loin, et entrer ce qu&apos;il indique (ou&#xa0;: abort).</translation>
     </message>
     <message>
         <source>Warm the DUT within its limits, then let it cool.</source>
@@ -1132,7 +1132,7 @@
     </message>
     <message>
         <source>Put the reference at the {0}&apos;s place: {1} mm from the DUT&apos;s place, in C.</source>
-        <translation>Mettre la référence à la place de {0} : {1} mm de la place du DUT, en C.</translation>
+        <translation>Mettre la référence à la place de {0}&#xa0;: {1} mm de la place du DUT, en C.</translation>
     </message>
     <message>
         <source>Put the reference at {0} mm from the DUT&apos;s place, in C, turned as it always stands.</source>
@@ -1144,7 +1144,7 @@
     </message>
     <message>
         <source>Put the reference {0}.</source>
-        <translation>Mettre la référence ainsi : {0}.</translation>
+        <translation>Mettre la référence ainsi&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Put the scalar sensor into the cage&apos;s centre, its dead zones away from the fields.</source>
@@ -1160,63 +1160,63 @@
     </message>
     <message>
         <source>Are all covers of the DUT as they will fly, and the others off?</source>
-        <translation>Tous les capots du DUT sont-ils comme en vol, et les autres retirés ?</translation>
+        <translation>Tous les capots du DUT sont-ils comme en vol, et les autres retirés&#xa0;?</translation>
     </message>
     <message>
         <source>Are the batteries those that will fly, and connected?</source>
-        <translation>Les batteries sont-elles celles du vol, et branchées ?</translation>
+        <translation>Les batteries sont-elles celles du vol, et branchées&#xa0;?</translation>
     </message>
     <message>
         <source>Are all tools out of the cage?</source>
-        <translation>Tous les outils sont-ils hors de la cage ?</translation>
+        <translation>Tous les outils sont-ils hors de la cage&#xa0;?</translation>
     </message>
     <message>
         <source>Are phones, keys and watches out of the room?</source>
-        <translation>Téléphones, clés et montres sont-ils hors de la pièce ?</translation>
+        <translation>Téléphones, clés et montres sont-ils hors de la pièce&#xa0;?</translation>
     </message>
     <message>
         <source>Do chairs and trolleys stand at their marks?</source>
-        <translation>Chaises et chariots sont-ils sur leurs marques ?</translation>
+        <translation>Chaises et chariots sont-ils sur leurs marques&#xa0;?</translation>
     </message>
     <message>
         <source>There is no file {0}. File of the photograph ({1}), or empty:</source>
-        <translation>Il n&apos;y a pas de fichier {0}. Fichier de la photo ({1}), ou vide :</translation>
+        <translation>Il n&apos;y a pas de fichier {0}. Fichier de la photo ({1}), ou vide&#xa0;:</translation>
     </message>
     <message>
         <source>File of the photograph ({0}), or empty:</source>
-        <translation>Fichier de la photo ({0}), ou vide :</translation>
+        <translation>Fichier de la photo ({0}), ou vide&#xa0;:</translation>
     </message>
     <message>
         <source>The coils go up to {0} µT, then the field rotates. Hands off?</source>
-        <translation>Les bobines vont jusqu’à {0} µT, puis le champ tourne. Mains loin ?</translation>
+        <translation>Les bobines vont jusqu’à {0} µT, puis le champ tourne. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played as {1} wants them. Hands off?</source>
-        <translation>Des champs jusqu’à {0} µT sont joués comme {1} les veut. Mains loin ?</translation>
+        <translation>Des champs jusqu’à {0} µT sont joués comme {1} les veut. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in all directions. Hands off?</source>
-        <translation>Le champ va à {0} µT dans toutes les directions. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT dans toutes les directions. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT in six directions. Hands off?</source>
-        <translation>Le champ va à {0} µT dans six directions. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT dans six directions. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT. Hands off?</source>
-        <translation>Le champ va à {0} µT. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, and the platform may turn. Hands off?</source>
-        <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT, et le plateau peut tourner. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The platform turns to {0}°. Hands off?</source>
-        <translation>La plate-forme tourne à {0}°. Mains loin ?</translation>
+        <translation>La plate-forme tourne à {0}°. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Next the platform looks for its zero and turns to {0}°. Hands off?</source>
-        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains loin ?</translation>
+        <translation>Ensuite le plateau cherche son zéro et tourne à {0}°. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The coils go to {0} µT.</source>
@@ -1240,19 +1240,19 @@
     </message>
     <message>
         <source>Is the DUT still mounted with body {0} up, exactly as it was before the interruption?</source>
-        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme avant l&apos;interruption ?</translation>
+        <translation>Le DUT est-il encore monté axe {0} du corps vers le haut, exactement comme avant l&apos;interruption&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT as the DUT warms and cools. Hands off?</source>
-        <translation>Le champ va à {0} µT pendant que le DUT chauffe et refroidit. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT pendant que le DUT chauffe et refroidit. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The coils go to {0} µT. Hands off?</source>
-        <translation>Les bobines vont à {0} µT. Mains loin ?</translation>
+        <translation>Les bobines vont à {0} µT. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The coils go to {0} µT, and the platform may turn. Hands off?</source>
-        <translation>Les bobines vont à {0} µT, et la plateforme peut tourner. Mains loin ?</translation>
+        <translation>Les bobines vont à {0} µT, et la plateforme peut tourner. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, and the platform may turn.</source>
@@ -1264,75 +1264,75 @@
     </message>
     <message>
         <source>The field goes to {0} µT, the platform turns. Hands off?</source>
-        <translation>Le champ va à {0} µT, le plateau tourne. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT, le plateau tourne. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT and stays. Hands off?</source>
-        <translation>Le champ va à {0} µT et y reste. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT et y reste. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field goes to {0} µT, later with the DUT turning in it. Hands off?</source>
-        <translation>Le champ va à {0} µT, plus tard le DUT y tourne. Mains loin ?</translation>
+        <translation>Le champ va à {0} µT, plus tard le DUT y tourne. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The field steps up to {0} µT. Hands off?</source>
-        <translation>Le champ monte par paliers à {0} µT. Mains loin ?</translation>
+        <translation>Le champ monte par paliers à {0} µT. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The coils go to {0} µT and the platform turns. Hands off?</source>
-        <translation>Les bobines vont à {0} µT et le plateau tourne. Mains loin ?</translation>
+        <translation>Les bobines vont à {0} µT et le plateau tourne. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The coils go up to {0} µT and the platform turns. Hands off?</source>
-        <translation>Les bobines vont jusqu’à {0} µT et la plateforme tourne. Mains loin ?</translation>
+        <translation>Les bobines vont jusqu’à {0} µT et la plateforme tourne. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>The coils step by {0} µT and the platform turns. Hands off?</source>
-        <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains loin ?</translation>
+        <translation>Les bobines font des pas de {0} µT et le plateau tourne. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>A square wave of {0} µT follows. Hands off?</source>
-        <translation>Un signal carré de {0} µT suit. Mains loin ?</translation>
+        <translation>Un signal carré de {0} µT suit. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Each coil goes to {0} µT in turn. Hands off?</source>
-        <translation>Chaque bobine va tour à tour à {0} µT. Mains loin ?</translation>
+        <translation>Chaque bobine va tour à tour à {0} µT. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Each coil goes to {0} µT. Hands off?</source>
-        <translation>Chaque bobine va à {0} µT. Mains loin ?</translation>
+        <translation>Chaque bobine va à {0} µT. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Each coil alternates from {0} µT downwards. Hands off?</source>
-        <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains loin ?</translation>
+        <translation>Chaque bobine alterne à partir de {0} µT vers le bas. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Coil {0} makes a gradient now, with the current of {1} µT. Hands off?</source>
-        <translation>La bobine {0} fait maintenant un gradient, avec le courant qui fait sinon {1} µT. Mains loin ?</translation>
+        <translation>La bobine {0} fait maintenant un gradient, avec le courant qui fait sinon {1} µT. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Fields up to {0} µT are played. Hands off?</source>
-        <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains loin ?</translation>
+        <translation>Des champs jusqu&apos;à {0} µT sont joués. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>Every load is switched in turn, the others stay off. Hands off?</source>
-        <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains loin ?</translation>
+        <translation>Chaque charge est commutée tour à tour, les autres restent coupées. Mains loin&#xa0;?</translation>
     </message>
     <message>
         <source>{0} of {1} figures changed by more than their uncertainty; the largest is E_n = {2} ({3}).</source>
-        <translation>{0} grandeurs sur {1} ont changé de plus que leur incertitude ; la plus forte est E_n = {2} ({3}).</translation>
+        <translation>{0} grandeurs sur {1} ont changé de plus que leur incertitude&#xa0;; la plus forte est E_n = {2} ({3}).</translation>
     </message>
     <message>
         <source>No figure changed by more than its uncertainty; the largest is E_n = {0} ({1}).</source>
-        <translation>Aucune grandeur n&apos;a changé de plus que son incertitude ; la plus forte est E_n = {0} ({1}).</translation>
+        <translation>Aucune grandeur n&apos;a changé de plus que son incertitude&#xa0;; la plus forte est E_n = {0} ({1}).</translation>
     </message>
     <message>
         <source>Whether the sensor changed cannot be said: a calibration states no uncertainty.</source>
-        <translation>On ne peut dire si le capteur a changé : un étalonnage n&apos;indique pas d&apos;incertitude.</translation>
+        <translation>On ne peut dire si le capteur a changé&#xa0;: un étalonnage n&apos;indique pas d&apos;incertitude.</translation>
     </message>
     <message>
         <source>Offsets are not of the same state: as found {0}, as left {1}.</source>
-        <translation>Les décalages ne sont pas du même état : trouvé {0}, laissé {1}.</translation>
+        <translation>Les décalages ne sont pas du même état&#xa0;: trouvé {0}, laissé {1}.</translation>
     </message>
     <message>
         <source>Offsets are those at {0}.</source>
@@ -1355,20 +1355,16 @@
         <translation>Seul le nouveau corrige {0}.</translation>
     </message>
     <message>
-        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : / + # ( ) - or blanks between them</source>
-        <translation>« {0} » n&apos;est pas un numéro de série : lettres et chiffres, entre eux . : / + # ( ) - ou des espaces</translation>
-    </message>
-    <message>
         <source>&apos;{0}&apos; is no serial number of this bench: they match {1} (dut.serial_pattern)</source>
-        <translation>« {0} » n&apos;est pas un numéro de série de ce banc : ils suivent {1} (dut.serial_pattern)</translation>
+        <translation>«&#xa0;{0}&#xa0;» n&apos;est pas un numéro de série de ce banc&#xa0;: ils suivent {1} (dut.serial_pattern)</translation>
     </message>
     <message>
         <source>{0}: a label ends in {1}</source>
-        <translation>{0} : une étiquette se termine par {1}</translation>
+        <translation>{0}&#xa0;: une étiquette se termine par {1}</translation>
     </message>
     <message>
         <source>{0}: a report ends in {1}</source>
-        <translation>{0} : un rapport se termine par {1}</translation>
+        <translation>{0}&#xa0;: un rapport se termine par {1}</translation>
     </message>
     <message>
         <source>a run needs the serial number of its DUT: --dut SERIAL</source>
@@ -1384,23 +1380,23 @@
     </message>
     <message>
         <source>{0} was changed since run {1} began: start it anew</source>
-        <translation>{0} a changé depuis le début de la mesure {1} : recommencer</translation>
+        <translation>{0} a changé depuis le début de la mesure {1}&#xa0;: recommencer</translation>
     </message>
     <message>
         <source>{0} cannot go on after an interruption: start it anew</source>
-        <translation>{0} ne peut continuer après une interruption : recommencer</translation>
+        <translation>{0} ne peut continuer après une interruption&#xa0;: recommencer</translation>
     </message>
     <message>
         <source>{0}: there is no such file</source>
-        <translation>{0} : ce fichier n&apos;existe pas</translation>
+        <translation>{0}&#xa0;: ce fichier n&apos;existe pas</translation>
     </message>
     <message>
         <source>{0}: is signed already ({1}); only a draft can be approved</source>
-        <translation>{0} : est déjà signé ({1}) ; seul un brouillon peut être approuvé</translation>
+        <translation>{0}&#xa0;: est déjà signé ({1})&#xa0;; seul un brouillon peut être approuvé</translation>
     </message>
     <message>
         <source>{0} is signed: its serial stands; another DUT needs a run of its own</source>
-        <translation>{0} est signé : son numéro reste ; un autre DUT demande sa propre mesure</translation>
+        <translation>{0} est signé&#xa0;: son numéro reste&#xa0;; un autre DUT demande sa propre mesure</translation>
     </message>
     <message>
         <source>another person than the operator approves: --as NAME</source>
@@ -1428,7 +1424,7 @@
     </message>
     <message>
         <source>{0}: no reply in {1} s, {2} came.</source>
-        <translation>{0} : pas de réponse en {1} s, reçu : {2}.</translation>
+        <translation>{0}&#xa0;: pas de réponse en {1} s, reçu&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>nothing</source>
@@ -1440,31 +1436,31 @@
     </message>
     <message>
         <source>Is it switched on, and is the link in bench.toml the right one?</source>
-        <translation>Est-il allumé, et la liaison de bench.toml est-elle la bonne ?</translation>
+        <translation>Est-il allumé, et la liaison de bench.toml est-elle la bonne&#xa0;?</translation>
     </message>
     <message>
         <source>{0}: the link was lost ({1}).</source>
-        <translation>{0} : la liaison a été perdue ({1}).</translation>
+        <translation>{0}&#xa0;: la liaison a été perdue ({1}).</translation>
     </message>
     <message>
         <source>{0}: the link was lost.</source>
-        <translation>{0} : la liaison a été perdue.</translation>
+        <translation>{0}&#xa0;: la liaison a été perdue.</translation>
     </message>
     <message>
         <source>{0}: the link does not open.</source>
-        <translation>{0} : la liaison ne s&apos;ouvre pas.</translation>
+        <translation>{0}&#xa0;: la liaison ne s&apos;ouvre pas.</translation>
     </message>
     <message>
         <source>{0}: the link does not open ({1}).</source>
-        <translation>{0} : la liaison ne s&apos;ouvre pas ({1}).</translation>
+        <translation>{0}&#xa0;: la liaison ne s&apos;ouvre pas ({1}).</translation>
     </message>
     <message>
         <source>{0}; where that is as it should be, accept = [&quot;{1}&quot;] in the mapping says so</source>
-        <translation>{0} ; si c’est voulu, accept = [&quot;{1}&quot;] dans la correspondance le dit</translation>
+        <translation>{0}&#xa0;; si c’est voulu, accept = [&quot;{1}&quot;] dans la correspondance le dit</translation>
     </message>
     <message>
         <source>{0}: are axes swapped or turned about?</source>
-        <translation>{0} : des axes sont-ils permutés ou retournés ?</translation>
+        <translation>{0}&#xa0;: des axes sont-ils permutés ou retournés&#xa0;?</translation>
     </message>
     <message>
         <source>the readings fit the reference with axes {0} {1} times better than as stated</source>
@@ -1472,7 +1468,7 @@
     </message>
     <message>
         <source>{0}: is the unit of one of them wrong, by a factor of {1}?</source>
-        <translation>{0} : l’une des deux unités est-elle fausse, d’un facteur {1} ?</translation>
+        <translation>{0}&#xa0;: l’une des deux unités est-elle fausse, d’un facteur {1}&#xa0;?</translation>
     </message>
     <message>
         <source>readings of {0} nT in the median beside a reference of {1} nT</source>
@@ -1480,19 +1476,31 @@
     </message>
     <message>
         <source>{0}: write the mapping by hand; it has {1}</source>
-        <translation>{0} : écrivez la correspondance à la main ; le fichier a {1}</translation>
+        <translation>{0}&#xa0;: écrivez la correspondance à la main&#xa0;; le fichier a {1}</translation>
     </message>
     <message>
         <source>{0}: no three columns beside a clock look like a magnetometer</source>
-        <translation>{0} : aucun groupe de trois colonnes à côté d’un temps ne ressemble à un magnétomètre</translation>
+        <translation>{0}&#xa0;: aucun groupe de trois colonnes à côté d’un temps ne ressemble à un magnétomètre</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: letters and digits, and . : + # ( ) - or blanks between them</source>
+        <translation>«&#xa0;{0}&#xa0;» n&apos;est pas un numéro de série&#xa0;: lettres et chiffres, entre eux .&#xa0;: + # ( ) - ou des espaces</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, which have no \ .. or control characters</source>
+        <translation>«&#xa0;{0}&#xa0;» n&apos;est pas un numéro de série&#xa0;: il entre dans des noms de fichiers, sans \ ni .. ni caractères de commande</translation>
+    </message>
+    <message>
+        <source>&apos;{0}&apos; is no serial number: it becomes part of file names, where a / parts folders; a bench whose serials have one says so (dut.serial_pattern)</source>
+        <translation>«&#xa0;{0}&#xa0;» n&apos;est pas un numéro de série&#xa0;: il entre dans des noms de fichiers, où / sépare les dossiers&#xa0;; un banc dont les numéros en ont un le dit (dut.serial_pattern)</translation>
     </message>
     <message>
         <source>{0}: would lie among what is labcal&apos;s own; name another folder</source>
-        <translation>{0} : serait parmi ce qui appartient à labcal ; indiquez un autre dossier</translation>
+        <translation>{0}&#xa0;: serait parmi ce qui appartient à labcal&#xa0;; indiquez un autre dossier</translation>
     </message>
     <message>
         <source>{0}: a label has a QR code: pip install &apos;labcal[paper]&apos;</source>
-        <translation>{0} : une étiquette a un code QR : pip install &apos;labcal[paper]&apos;</translation>
+        <translation>{0}&#xa0;: une étiquette a un code QR&#xa0;: pip install &apos;labcal[paper]&apos;</translation>
     </message>
     <message>
         <source>the operator&apos;s name must be one printable line of at most {0} letters</source>
@@ -1500,23 +1508,23 @@
     </message>
     <message>
         <source>“{0}” is no name: letters, digits, blanks, and . , &apos; - _ @ + &amp; / ( ) between them</source>
-        <translation>« {0} » n&apos;est pas un nom : lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
+        <translation>«&#xa0;{0}&#xa0;» n&apos;est pas un nom&#xa0;: lettres, chiffres, espaces, et entre eux . , &apos; - _ @ + &amp; / ( )</translation>
     </message>
     <message>
         <source>run {0} is none to be gone on with: it is {1}</source>
-        <translation>la mesure {0} n&apos;est pas à continuer : elle est {1}</translation>
+        <translation>la mesure {0} n&apos;est pas à continuer&#xa0;: elle est {1}</translation>
     </message>
     <message>
         <source>{0}: is no bench file: nothing that stands in it is of a bench</source>
-        <translation>{0} : ce n’est pas un fichier de banc : rien de ce qui s’y trouve n’est d’un banc</translation>
+        <translation>{0}&#xa0;: ce n’est pas un fichier de banc&#xa0;: rien de ce qui s’y trouve n’est d’un banc</translation>
     </message>
     <message>
         <source>{0}: {1} is not a key that is known here</source>
-        <translation>{0} : {1} n’est pas une clé connue ici</translation>
+        <translation>{0}&#xa0;: {1} n’est pas une clé connue ici</translation>
     </message>
     <message>
         <source>{0}; nothing was made</source>
-        <translation>{0} ; rien n&apos;a été fait</translation>
+        <translation>{0}&#xa0;; rien n&apos;a été fait</translation>
     </message>
     <message>
         <source>the passphrase is empty</source>
@@ -1524,11 +1532,11 @@
     </message>
     <message>
         <source>the passphrase has {0} characters and needs {1}: four words are easy to keep</source>
-        <translation>la phrase de passe a {0} caractères, il en faut {1} : quatre mots se retiennent bien</translation>
+        <translation>la phrase de passe a {0} caractères, il en faut {1}&#xa0;: quatre mots se retiennent bien</translation>
     </message>
     <message>
         <source>the passphrase is {0}: four words are easy to keep</source>
-        <translation>la phrase de passe est {0} : quatre mots se retiennent bien</translation>
+        <translation>la phrase de passe est {0}&#xa0;: quatre mots se retiennent bien</translation>
     </message>
     <message>
         <source>three signs over and over</source>
@@ -1548,31 +1556,31 @@
     </message>
     <message>
         <source>{0}: the archive cannot be reached: {1}; nothing is lost: what is not there yet goes there with the next push</source>
-        <translation>{0} : l’archive est hors d’atteinte : {1} ; rien n’est perdu : ce qui n’y est pas encore y ira au prochain envoi</translation>
+        <translation>{0}&#xa0;: l’archive est hors d’atteinte&#xa0;: {1}&#xa0;; rien n’est perdu&#xa0;: ce qui n’y est pas encore y ira au prochain envoi</translation>
     </message>
     <message>
         <source>{0}: there is no archive here that this role can see: its owner makes it by `labcal archive init`</source>
-        <translation>{0} : il n’y a ici aucune archive que ce rôle puisse voir : son propriétaire la crée par `labcal archive init`</translation>
+        <translation>{0}&#xa0;: il n’y a ici aucune archive que ce rôle puisse voir&#xa0;: son propriétaire la crée par `labcal archive init`</translation>
     </message>
     <message>
         <source>{0}: its catalogue is of version {1}, and this labcal works with {2}: its owner runs `labcal archive init` once</source>
-        <translation>{0} : son catalogue est de version {1}, et ce labcal travaille avec {2} : son propriétaire lance une fois `labcal archive init`</translation>
+        <translation>{0}&#xa0;: son catalogue est de version {1}, et ce labcal travaille avec {2}&#xa0;: son propriétaire lance une fois `labcal archive init`</translation>
     </message>
     <message>
         <source>{0}: a newer labcal made its catalogue (version {1}, this one knows {2}): update labcal here</source>
-        <translation>{0} : un labcal plus récent a fait son catalogue (version {1}, celui-ci connaît {2}) : mettre labcal à jour ici</translation>
+        <translation>{0}&#xa0;: un labcal plus récent a fait son catalogue (version {1}, celui-ci connaît {2})&#xa0;: mettre labcal à jour ici</translation>
     </message>
     <message>
         <source>the archive needs SQLAlchemy, Alembic and psycopg: pip install &apos;labcal[archive]&apos;</source>
-        <translation>l’archive a besoin de SQLAlchemy, Alembic et psycopg : pip install &apos;labcal[archive]&apos;</translation>
+        <translation>l’archive a besoin de SQLAlchemy, Alembic et psycopg&#xa0;: pip install &apos;labcal[archive]&apos;</translation>
     </message>
     <message>
         <source>{0}: bundles cannot be kept or read there: {1}</source>
-        <translation>{0} : les paquets ne peuvent y être gardés ni lus : {1}</translation>
+        <translation>{0}&#xa0;: les paquets ne peuvent y être gardés ni lus&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0}: the check standard {1} is out of control ({2}). No procedure begins on this bench: measure it again (--dut {3}), or let a person answer for it: --override NAME --because TEXT</source>
-        <translation>{0} : l’étalon de contrôle {1} est hors de contrôle ({2}). Aucune procédure ne commence sur ce banc : le mesurer à nouveau (son numéro comme DUT ; --dut {3}), ou quelqu’un en répond sur la ligne de commande : --override NAME --because TEXT</translation>
+        <translation>{0}&#xa0;: l’étalon de contrôle {1} est hors de contrôle ({2}). Aucune procédure ne commence sur ce banc&#xa0;: le mesurer à nouveau (son numéro comme DUT&#xa0;; --dut {3}), ou quelqu’un en répond sur la ligne de commande&#xa0;: --override NAME --because TEXT</translation>
     </message>
     <message>
         <source>the check standard {0} is out of control ({1})</source>
@@ -1580,7 +1588,7 @@
     </message>
     <message>
         <source>No procedure begins on this bench: measure the check standard again, or let a person answer for it.</source>
-        <translation>Aucune procédure ne commence sur ce banc : mesurer de nouveau l’étalon de contrôle, ou laisser une personne en répondre.</translation>
+        <translation>Aucune procédure ne commence sur ce banc&#xa0;: mesurer de nouveau l’étalon de contrôle, ou laisser une personne en répondre.</translation>
     </message>
     <message>
         <source>stopped by the operator, to be gone on with later</source>
@@ -1588,7 +1596,7 @@
     </message>
     <message>
         <source>Is it switched on, are address and baud rate right, are A and B not swapped?</source>
-        <translation>Est-il allumé, l’adresse et le débit sont-ils justes, A et B ne sont-ils pas inversés ?</translation>
+        <translation>Est-il allumé, l’adresse et le débit sont-ils justes, A et B ne sont-ils pas inversés&#xa0;?</translation>
     </message>
     <message>
         <source>another process ({0}) keeps the platform&apos;s line and does not stop it</source>
@@ -1596,23 +1604,23 @@
     </message>
     <message>
         <source>It has answered at this link before: is its plug in at both ends, and has it power?</source>
-        <translation>Il a déjà répondu sur cette liaison : sa prise tient-elle aux deux bouts, et est-il alimenté ?</translation>
+        <translation>Il a déjà répondu sur cette liaison&#xa0;: sa prise tient-elle aux deux bouts, et est-il alimenté&#xa0;?</translation>
     </message>
     <message>
         <source>{0}: this user may not open it ({1}).</source>
-        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir ({1}).</translation>
+        <translation>{0}&#xa0;: cet utilisateur n&apos;a pas le droit de l&apos;ouvrir ({1}).</translation>
     </message>
     <message>
         <source>{0}: this user may not open it.</source>
-        <translation>{0} : cet utilisateur n&apos;a pas le droit de l&apos;ouvrir.</translation>
+        <translation>{0}&#xa0;: cet utilisateur n&apos;a pas le droit de l&apos;ouvrir.</translation>
     </message>
     <message>
         <source>{0}: another program has opened it ({1}).</source>
-        <translation>{0} : un autre programme l&apos;a ouvert ({1}).</translation>
+        <translation>{0}&#xa0;: un autre programme l&apos;a ouvert ({1}).</translation>
     </message>
     <message>
         <source>{0}: another program has opened it.</source>
-        <translation>{0} : un autre programme l&apos;a ouvert.</translation>
+        <translation>{0}&#xa0;: un autre programme l&apos;a ouvert.</translation>
     </message>
     <message>
         <source>the guardian did not start.</source>
@@ -1624,11 +1632,11 @@
     </message>
     <message>
         <source>the guardian has not answered for {0} s: it hangs, or was stopped; how the coils are is not known.</source>
-        <translation>Le gardien n&apos;a pas répondu depuis {0} s : il est bloqué ou arrêté ; l&apos;état des bobines n&apos;est pas connu.</translation>
+        <translation>Le gardien n&apos;a pas répondu depuis {0} s&#xa0;: il est bloqué ou arrêté&#xa0;; l&apos;état des bobines n&apos;est pas connu.</translation>
     </message>
     <message>
         <source>It is tried again and again; no run begins before it answers.</source>
-        <translation>On réessaie sans cesse ; aucune mesure ne commence avant qu’elle ne réponde.</translation>
+        <translation>On réessaie sans cesse&#xa0;; aucune mesure ne commence avant qu’elle ne réponde.</translation>
     </message>
     <message>
         <source>Switch the supplies off by hand.</source>
@@ -1636,15 +1644,15 @@
     </message>
     <message>
         <source>zero was ordered for all coils: {0}.</source>
-        <translation>Zéro a été ordonné pour toutes les bobines : {0}.</translation>
+        <translation>Zéro a été ordonné pour toutes les bobines&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>zero was ordered{0}; what was being asked of this line was given up.</source>
-        <translation>Zéro a été ordonné{0} ; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
+        <translation>Zéro a été ordonné{0}&#xa0;; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
     </message>
     <message>
         <source>See guardian.log; what was measured since then was measured without them.</source>
-        <translation>Voir guardian.log ; ce qui a été mesuré depuis l&apos;a été sans elles.</translation>
+        <translation>Voir guardian.log&#xa0;; ce qui a été mesuré depuis l&apos;a été sans elles.</translation>
     </message>
     <message>
         <source>See guardian.log in labcal&apos;s data folder.</source>
@@ -1652,19 +1660,19 @@
     </message>
     <message>
         <source>coil {0}: {1} A was set and nothing flows.</source>
-        <translation>bobine {0} : {1} A réglés et rien ne passe.</translation>
+        <translation>bobine {0}&#xa0;: {1} A réglés et rien ne passe.</translation>
     </message>
     <message>
         <source>coil {0}: {1} A was set and {2} A flows.</source>
-        <translation>bobine {0} : {1} A réglés et {2} A passent.</translation>
+        <translation>bobine {0}&#xa0;: {1} A réglés et {2} A passent.</translation>
     </message>
     <message>
         <source>Is the winding whole, does the voltage suffice? Set the coils off.</source>
-        <translation>L&apos;enroulement est-il intact, la tension suffit-elle ? Couper les bobines.</translation>
+        <translation>L&apos;enroulement est-il intact, la tension suffit-elle&#xa0;? Couper les bobines.</translation>
     </message>
     <message>
         <source>coil {0}: {1} A root mean square over {2} s, its limit is {3} A.</source>
-        <translation>bobine {0} : {1} A efficaces sur {2} s, sa limite est {3} A.</translation>
+        <translation>bobine {0}&#xa0;: {1} A efficaces sur {2} s, sa limite est {3} A.</translation>
     </message>
     <message>
         <source>Let the winding cool, then use less current or shorter times.</source>
@@ -1672,7 +1680,7 @@
     </message>
     <message>
         <source>coil {0}: the contacts did not switch to {1}.</source>
-        <translation>bobine {0} : les contacts n&apos;ont pas commuté sur {1}.</translation>
+        <translation>bobine {0}&#xa0;: les contacts n&apos;ont pas commuté sur {1}.</translation>
     </message>
     <message>
         <source>Look at the relay and its supply.</source>
@@ -1680,23 +1688,23 @@
     </message>
     <message>
         <source>{0}: the interlock is open.</source>
-        <translation>{0} : le verrouillage est ouvert.</translation>
+        <translation>{0}&#xa0;: le verrouillage est ouvert.</translation>
     </message>
     <message>
         <source>It closes when every coil is read back at zero; `guardian.log` says which is not.</source>
-        <translation>Il se ferme quand chaque bobine est relue à zéro ; `guardian.log` dit laquelle ne l&apos;est pas.</translation>
+        <translation>Il se ferme quand chaque bobine est relue à zéro&#xa0;; `guardian.log` dit laquelle ne l&apos;est pas.</translation>
     </message>
     <message>
         <source>{0}: its {1} protection tripped.</source>
-        <translation>{0} : la protection ({1}) s&apos;est déclenchée.</translation>
+        <translation>{0}&#xa0;: la protection ({1}) s&apos;est déclenchée.</translation>
     </message>
     <message>
         <source>{0}: a reading at full scale.</source>
-        <translation>{0} : une lecture en butée.</translation>
+        <translation>{0}&#xa0;: une lecture en butée.</translation>
     </message>
     <message>
         <source>{0}: {1} samples came in {2} s, too few to say anything.</source>
-        <translation>{0} : {1} échantillons en {2} s, trop peu pour conclure.</translation>
+        <translation>{0}&#xa0;: {1} échantillons en {2} s, trop peu pour conclure.</translation>
     </message>
     <message>
         <source>Look at its power and its cable, or listen for longer.</source>
@@ -1720,11 +1728,11 @@
     </message>
     <message>
         <source>VALID: signed by {0}.</source>
-        <translation>VALIDE : signé par {0}.</translation>
+        <translation>VALIDE&#xa0;: signé par {0}.</translation>
     </message>
     <message>
         <source>NOT VALID: {0} carries no signature.</source>
-        <translation>NON VALIDE : {0} ne porte pas de signature.</translation>
+        <translation>NON VALIDE&#xa0;: {0} ne porte pas de signature.</translation>
     </message>
     <message>
         <source>NOT VALID.</source>
@@ -1744,31 +1752,31 @@
     </message>
     <message>
         <source>It was not worked out again: {0}.</source>
-        <translation>Il n&apos;a pas été recalculé : {0}.</translation>
+        <translation>Il n&apos;a pas été recalculé&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Worked out again from its run it differs: {0}. The signature stands.</source>
-        <translation>Recalculé de sa mesure, il diffère : {0}. La signature tient.</translation>
+        <translation>Recalculé de sa mesure, il diffère&#xa0;: {0}. La signature tient.</translation>
     </message>
     <message>
         <source>Worked out again from its run it differs: {0}.</source>
-        <translation>Recalculé de sa mesure, il diffère : {0}.</translation>
+        <translation>Recalculé de sa mesure, il diffère&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>PROVISIONAL: {0}.</source>
-        <translation>PROVISOIRE : {0}.</translation>
+        <translation>PROVISOIRE&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>EXPIRED: it was good until {0}.</source>
-        <translation>EXPIRÉ : il valait jusqu&apos;au {0}.</translation>
+        <translation>EXPIRÉ&#xa0;: il valait jusqu&apos;au {0}.</translation>
     </message>
     <message>
         <source>SUPERSEDED: by the calibration of run {0}.</source>
-        <translation>REMPLACÉ : par l&apos;étalonnage de la mesure {0}.</translation>
+        <translation>REMPLACÉ&#xa0;: par l&apos;étalonnage de la mesure {0}.</translation>
     </message>
     <message>
         <source>SIMULATED: it describes no real sensor.</source>
-        <translation>SIMULÉ : il ne décrit aucun capteur réel.</translation>
+        <translation>SIMULÉ&#xa0;: il ne décrit aucun capteur réel.</translation>
     </message>
     <message>
         <source>no approver is named</source>
@@ -1776,15 +1784,15 @@
     </message>
     <message>
         <source>named as approver, but is the operator: {0}</source>
-        <translation>nommé approbateur, mais opérateur : {0}</translation>
+        <translation>nommé approbateur, mais opérateur&#xa0;: {0}</translation>
     </message>
     <message>
         <source>named as approver, but has not signed: {0}</source>
-        <translation>nommé approbateur, mais n&apos;a pas signé : {0}</translation>
+        <translation>nommé approbateur, mais n&apos;a pas signé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>named as approver, but has not the role approve: {0}</source>
-        <translation>nommé comme approbateur, mais sans le rôle approve : {0}</translation>
+        <translation>nommé comme approbateur, mais sans le rôle approve&#xa0;: {0}</translation>
     </message>
     <message>
         <source>its operator, {0}, has not the role measure</source>
@@ -1804,15 +1812,15 @@
     </message>
     <message>
         <source>Not measured by this run, and held as they stand: {0}.</source>
-        <translation>Non déterminés par cette mesure, et restés tels quels : {0}.</translation>
+        <translation>Non déterminés par cette mesure, et restés tels quels&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Unexplained by the closed loop: {0} nT are left of held-out rows, where noise alone leaves {1}; U takes that for random.</source>
-        <translation>Inexpliqué par la boucle : {0} nT restent dans les lignes réservées, là où le bruit seul en laisse {1} ; U le prend pour aléatoire.</translation>
+        <translation>Inexpliqué par la boucle&#xa0;: {0} nT restent dans les lignes réservées, là où le bruit seul en laisse {1}&#xa0;; U le prend pour aléatoire.</translation>
     </message>
     <message>
         <source>its run did not measure {0}: nobody can approve that; turn about the other body axes as well</source>
-        <translation>sa mesure n&apos;a pas déterminé {0} : personne ne peut l&apos;approuver ; tourner aussi autour des autres axes du corps</translation>
+        <translation>sa mesure n&apos;a pas déterminé {0}&#xa0;: personne ne peut l&apos;approuver&#xa0;; tourner aussi autour des autres axes du corps</translation>
     </message>
     <message>
         <source>zero, not open</source>
@@ -1820,27 +1828,27 @@
     </message>
     <message>
         <source>{0}: no sample for {1} s.</source>
-        <translation>{0} : aucun échantillon depuis {1} s.</translation>
+        <translation>{0}&#xa0;: aucun échantillon depuis {1} s.</translation>
     </message>
     <message>
         <source>{0}: no answer.</source>
-        <translation>{0} : pas de réponse.</translation>
+        <translation>{0}&#xa0;: pas de réponse.</translation>
     </message>
     <message>
         <source>{0}: the same reading for {1} s.</source>
-        <translation>{0} : la même lecture depuis {1} s.</translation>
+        <translation>{0}&#xa0;: la même lecture depuis {1} s.</translation>
     </message>
     <message>
         <source>{0}: no temperature for {1} s, and it has a limit.</source>
-        <translation>{0} : pas de température depuis {1} s, et elle a une limite.</translation>
+        <translation>{0}&#xa0;: pas de température depuis {1} s, et elle a une limite.</translation>
     </message>
     <message>
         <source>{0}: {1} is {2} degC, its limit is {3} degC.</source>
-        <translation>{0} : {1} est à {2} °C, sa limite est {3} °C.</translation>
+        <translation>{0}&#xa0;: {1} est à {2} °C, sa limite est {3} °C.</translation>
     </message>
     <message>
         <source>{0}: a field of {1} nT is seen, the limit is {2} nT.</source>
-        <translation>{0} : un champ de {1} nT est vu, la limite est {2} nT.</translation>
+        <translation>{0}&#xa0;: un champ de {1} nT est vu, la limite est {2} nT.</translation>
     </message>
     <message>
         <source>no samples came from {0}.</source>
@@ -1848,15 +1856,15 @@
     </message>
     <message>
         <source>{0}: it sent nothing at {1} of this turn.</source>
-        <translation>{0} : il n&apos;a rien envoyé à {1} de ce tour.</translation>
+        <translation>{0}&#xa0;: il n&apos;a rien envoyé à {1} de ce tour.</translation>
     </message>
     <message>
         <source>{0}: still not seen: {1}.</source>
-        <translation>{0} : toujours pas vu : {1}.</translation>
+        <translation>{0}&#xa0;: toujours pas vu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Is its plug in at both ends, and has it power? Nobody can tell from here which it is.</source>
-        <translation>Sa prise est-elle branchée aux deux bouts, et est-il alimenté ? D’ici, personne ne peut dire lequel des deux.</translation>
+        <translation>Sa prise est-elle branchée aux deux bouts, et est-il alimenté&#xa0;? D’ici, personne ne peut dire lequel des deux.</translation>
     </message>
     <message>
         <source>Switch the sensor off and on, and look at its range.</source>
@@ -1864,11 +1872,11 @@
     </message>
     <message>
         <source>Is the ambient field what it was when it was measured last?</source>
-        <translation>Le champ ambiant est-il celui mesuré en dernier ?</translation>
+        <translation>Le champ ambiant est-il celui mesuré en dernier&#xa0;?</translation>
     </message>
     <message>
         <source>Is this the instrument that bench.toml names, and is its link the right one?</source>
-        <translation>Est-ce l&apos;appareil que nomme bench.toml, et sa liaison est-elle la bonne ?</translation>
+        <translation>Est-ce l&apos;appareil que nomme bench.toml, et sa liaison est-elle la bonne&#xa0;?</translation>
     </message>
     <message>
         <source>Plug it in, see that nobody else has opened it, then try again.</source>
@@ -1876,7 +1884,7 @@
     </message>
     <message>
         <source>Is this the instrument that bench.toml names? Look at its cable, then try again.</source>
-        <translation>Est-ce l&apos;appareil que nomme bench.toml ? Examiner son câble, puis réessayer.</translation>
+        <translation>Est-ce l&apos;appareil que nomme bench.toml&#xa0;? Examiner son câble, puis réessayer.</translation>
     </message>
     <message>
         <source>Look at its panel, then try again.</source>
@@ -1892,23 +1900,23 @@
     </message>
     <message>
         <source>{0}: there is no key for {1} here; `labcal keys new --name {2}` makes one</source>
-        <translation>{0} : pas de clé pour {1} ici ; `labcal keys new --name {2}` en fait une</translation>
+        <translation>{0}&#xa0;: pas de clé pour {1} ici&#xa0;; `labcal keys new --name {2}` en fait une</translation>
     </message>
     <message>
         <source>{0}: does not open: the passphrase is wrong or the file is damaged</source>
-        <translation>{0} : ne s&apos;ouvre pas : la phrase de passe est fausse ou le fichier endommagé</translation>
+        <translation>{0}&#xa0;: ne s&apos;ouvre pas&#xa0;: la phrase de passe est fausse ou le fichier endommagé</translation>
     </message>
     <message>
         <source>{0}: {1} has a key already; a second one would replace it (`labcal keys revoke {2}` where it is lost)</source>
-        <translation>{0} : {1} a déjà une clé ; une seconde la remplacerait (`labcal keys revoke {2}` si elle est perdue)</translation>
+        <translation>{0}&#xa0;: {1} a déjà une clé&#xa0;; une seconde la remplacerait (`labcal keys revoke {2}` si elle est perdue)</translation>
     </message>
     <message>
         <source>broken off by its store: {0}</source>
-        <translation>interrompue par le magasin : {0}</translation>
+        <translation>interrompue par le magasin&#xa0;: {0}</translation>
     </message>
     <message>
         <source>broken off: {0}</source>
-        <translation>interrompue : {0}</translation>
+        <translation>interrompue&#xa0;: {0}</translation>
     </message>
     <message>
         <source>broken off</source>
@@ -1932,7 +1940,7 @@
     </message>
     <message>
         <source>No whole calibration can come of one body axis: it does not determine all 12 parameters of the map. It repeats or checks turns.</source>
-        <translation>D’un seul axe du corps ne peut venir aucun étalonnage entier : il ne détermine pas les 12 paramètres de l’application. Il répète ou vérifie des rotations.</translation>
+        <translation>D’un seul axe du corps ne peut venir aucun étalonnage entier&#xa0;: il ne détermine pas les 12 paramètres de l’application. Il répète ou vérifie des rotations.</translation>
     </message>
     <message>
         <source>Alternate each coil&apos;s current with falling amplitude, and compare the ambient field before and after.</source>
@@ -1940,7 +1948,7 @@
     </message>
     <message>
         <source>Calibrate the DUT at rest: the coils play directions all over; K and k in the cage&apos;s frame.</source>
-        <translation>Étalonner le DUT au repos : les bobines parcourent toutes les directions ; K et k dans le repère de la cage.</translation>
+        <translation>Étalonner le DUT au repos&#xa0;: les bobines parcourent toutes les directions&#xa0;; K et k dans le repère de la cage.</translation>
     </message>
     <message>
         <source>Check sign, order and handedness of cage, reference and DUT, and the sense of the angle.</source>
@@ -1956,7 +1964,7 @@
     </message>
     <message>
         <source>Go through the checklist; every &quot;no&quot; is named at the end.</source>
-        <translation>Parcourir la liste de contrôle ; chaque « non » est nommé à la fin.</translation>
+        <translation>Parcourir la liste de contrôle&#xa0;; chaque «&#xa0;non&#xa0;» est nommé à la fin.</translation>
     </message>
     <message>
         <source>Hold a field by feedback on the reference, taken over from the open-loop set-point without a bump.</source>
@@ -1968,7 +1976,7 @@
     </message>
     <message>
         <source>Measure heading and magnitude error at independent positions; `calibration`, where it is stated, is judged.</source>
-        <translation>Mesurer l&apos;erreur de cap et de module à des positions indépendantes ; `calibration` est jugé, s&apos;il est indiqué.</translation>
+        <translation>Mesurer l&apos;erreur de cap et de module à des positions indépendantes&#xa0;; `calibration` est jugé, s&apos;il est indiqué.</translation>
     </message>
     <message>
         <source>Measure mean, drift, noise and mains of the room, and say whether it is fit for the job.</source>
@@ -1988,7 +1996,7 @@
     </message>
     <message>
         <source>Measure the current-to-field matrix and offset at the DUT&apos;s place and at the reference&apos;s; a draft.</source>
-        <translation>Mesurer la matrice courant-champ et le décalage à la place du DUT et de la référence ; un brouillon.</translation>
+        <translation>Mesurer la matrice courant-champ et le décalage à la place du DUT et de la référence&#xa0;; un brouillon.</translation>
     </message>
     <message>
         <source>Measure the current-to-field matrix, its squareness and the ambient field by a scalar sensor in the centre.</source>
@@ -2028,7 +2036,7 @@
     </message>
     <message>
         <source>Turn the DUT about one body axis in one steady field; one axis is not enough for a calibration by itself.</source>
-        <translation>Tourner le DUT autour d’un axe du corps dans un champ constant ; un seul axe ne suffit pas pour un étalonnage.</translation>
+        <translation>Tourner le DUT autour d’un axe du corps dans un champ constant&#xa0;; un seul axe ne suffit pas pour un étalonnage.</translation>
     </message>
     <message>
         <source>Turn there and back at several rates in one mounting.</source>
@@ -2036,7 +2044,7 @@
     </message>
     <message>
         <source>[cage.geometry] with halves that a person can reverse; a vector reference</source>
-        <translation>[cage.geometry] avec des moitiés qu&apos;une personne peut inverser ; une référence vectorielle</translation>
+        <translation>[cage.geometry] avec des moitiés qu&apos;une personne peut inverser&#xa0;; une référence vectorielle</translation>
     </message>
     <message>
         <source>a vector reference</source>
@@ -2068,11 +2076,11 @@
     </message>
     <message>
         <source>the DUT at rest in the cage; a table of the field, an orbit, or a simulator</source>
-        <translation>le DUT au repos dans la cage ; une table du champ, une orbite ou un simulateur</translation>
+        <translation>le DUT au repos dans la cage&#xa0;; une table du champ, une orbite ou un simulateur</translation>
     </message>
     <message>
         <source>the DUT at rest in the cage; a vector reference at its place, or an approved cage calibration</source>
-        <translation>le DUT au repos dans la cage ; une référence vectorielle à sa place, ou un étalonnage de cage approuvé</translation>
+        <translation>le DUT au repos dans la cage&#xa0;; une référence vectorielle à sa place, ou un étalonnage de cage approuvé</translation>
     </message>
     <message>
         <source>the DUT free to be turned over by hand</source>
@@ -2100,7 +2108,7 @@
     </message>
     <message>
         <source>the DUT&apos;s own, that is judged; without one nothing is</source>
-        <translation>celui de l&apos;appareil, qui est jugé ; sans lui, rien ne l&apos;est</translation>
+        <translation>celui de l&apos;appareil, qui est jugé&#xa0;; sans lui, rien ne l&apos;est</translation>
     </message>
     <message>
         <source>the DUT on the platform, loads of the spacecraft that can be switched</source>
@@ -2108,7 +2116,7 @@
     </message>
     <message>
         <source>the DUT on the platform, remounted three times; a vector reference</source>
-        <translation>le DUT sur le plateau, remonté trois fois ; une référence vectorielle</translation>
+        <translation>le DUT sur le plateau, remonté trois fois&#xa0;; une référence vectorielle</translation>
     </message>
     <message>
         <source>the DUT with its thermometer, a means to warm it</source>
@@ -2508,11 +2516,11 @@
     </message>
     <message>
         <source>how well the axis is mounted; 0: not stated</source>
-        <translation>précision du montage de l&apos;axe ; 0 : non indiquée</translation>
+        <translation>précision du montage de l&apos;axe&#xa0;; 0&#xa0;: non indiquée</translation>
     </message>
     <message>
         <source>0: as fast as timing and the range allow</source>
-        <translation>0 : aussi vite que les temps et la plage le permettent</translation>
+        <translation>0&#xa0;: aussi vite que les temps et la plage le permettent</translation>
     </message>
     <message>
         <source>error that timing may make</source>
@@ -2520,7 +2528,7 @@
     </message>
     <message>
         <source>0: continuous, else stepped</source>
-        <translation>0 : continu, sinon par pas</translation>
+        <translation>0&#xa0;: continu, sinon par pas</translation>
     </message>
     <message>
         <source>coils-off zero before</source>
@@ -2632,7 +2640,7 @@
     </message>
     <message>
         <source>channels to switch; none: every current channel of the DUT</source>
-        <translation>voies à commuter ; aucune : toutes les voies de courant du DUT</translation>
+        <translation>voies à commuter&#xa0;; aucune&#xa0;: toutes les voies de courant du DUT</translation>
     </message>
     <message>
         <source>times each load is switched on</source>
@@ -2660,11 +2668,11 @@
     </message>
     <message>
         <source>body axes up, in turn: at least two</source>
-        <translation>axes du corps vers le haut, tour à tour : au moins deux</translation>
+        <translation>axes du corps vers le haut, tour à tour&#xa0;: au moins deux</translation>
     </message>
     <message>
         <source>of the reference above it: at least two</source>
-        <translation>de la référence au-dessus : au moins deux</translation>
+        <translation>de la référence au-dessus&#xa0;: au moins deux</translation>
     </message>
     <message>
         <source>uncertainty of each coordinate of its place</source>
@@ -2672,7 +2680,7 @@
     </message>
     <message>
         <source>reversed between turns: the induced part</source>
-        <translation>inversé entre les tours : la part induite</translation>
+        <translation>inversé entre les tours&#xa0;: la part induite</translation>
     </message>
     <message>
         <source>in each field at rest, with the DUT and without</source>
@@ -2700,7 +2708,7 @@
     </message>
     <message>
         <source>errors below this are left: the supplies&apos; own step</source>
-        <translation>les erreurs plus petites restent : le pas des alimentations</translation>
+        <translation>les erreurs plus petites restent&#xa0;: le pas des alimentations</translation>
     </message>
     <message>
         <source>rms error that passes</source>
@@ -2780,11 +2788,11 @@
     </message>
     <message>
         <source>CSV t_s,b_x,b_y,b_z [s, nT in C]; none: the orbit below</source>
-        <translation>CSV t_s,b_x,b_y,b_z [s, nT dans C] ; aucun : l&apos;orbite ci-dessous</translation>
+        <translation>CSV t_s,b_x,b_y,b_z [s, nT dans C]&#xa0;; aucun&#xa0;: l&apos;orbite ci-dessous</translation>
     </message>
     <message>
         <source>udp://HOST:PORT: as a simulator sends it (docs/field-source.md)</source>
-        <translation>udp://HOST:PORT : comme un simulateur l&apos;envoie (docs/field-source.md)</translation>
+        <translation>udp://HOST:PORT&#xa0;: comme un simulateur l&apos;envoie (docs/field-source.md)</translation>
     </message>
     <message>
         <source>of the circular orbit</source>
@@ -2888,19 +2896,19 @@
     </message>
     <message>
         <source>ambient magnitude by a standard; 0: none</source>
-        <translation>module ambiant selon un étalon ; 0 : aucun</translation>
+        <translation>module ambiant selon un étalon&#xa0;; 0&#xa0;: aucun</translation>
     </message>
     <message>
         <source>of the standard; 0: not stated</source>
-        <translation>de l&apos;étalon ; 0 : non indiquée</translation>
+        <translation>de l&apos;étalon&#xa0;; 0&#xa0;: non indiquée</translation>
     </message>
     <message>
         <source>how truly it is turned by 180°; 0: not stated</source>
-        <translation>précision du retournement de 180° ; 0 : non indiquée</translation>
+        <translation>précision du retournement de 180°&#xa0;; 0&#xa0;: non indiquée</translation>
     </message>
     <message>
         <source>of the cage&apos;s field, by direction; 0: not stated</source>
-        <translation>du champ de la cage, par direction ; 0 : non indiquée</translation>
+        <translation>du champ de la cage, par direction&#xa0;; 0&#xa0;: non indiquée</translation>
     </message>
     <message>
         <source>how often</source>
@@ -2948,7 +2956,7 @@
     </message>
     <message>
         <source>height of the wave; one ramp step at most</source>
-        <translation>hauteur de l&apos;onde ; au plus un pas de rampe</translation>
+        <translation>hauteur de l&apos;onde&#xa0;; au plus un pas de rampe</translation>
     </message>
     <message>
         <source>steps of the pseudo-random wave</source>
@@ -2968,7 +2976,7 @@
     </message>
     <message>
         <source>temperature channel of the DUT; empty: the first</source>
-        <translation>voie de température du DUT ; vide : la première</translation>
+        <translation>voie de température du DUT&#xa0;; vide&#xa0;: la première</translation>
     </message>
     <message>
         <source>along the platform axis</source>
@@ -3060,23 +3068,23 @@
     </message>
     <message>
         <source>the magnitudes do not determine all nine parameters: {0}</source>
-        <translation>les modules ne déterminent pas les neuf paramètres : {0}</translation>
+        <translation>les modules ne déterminent pas les neuf paramètres&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the magnitudes do not determine all parameters: {0}</source>
-        <translation>les modules ne déterminent pas tous les paramètres : {0}</translation>
+        <translation>les modules ne déterminent pas tous les paramètres&#xa0;: {0}</translation>
     </message>
     <message>
         <source>I + E is not positive definite, so no real scale factors belong to it: {0}</source>
-        <translation>I + E n&apos;est pas définie positive, donc aucun facteur d&apos;échelle réel n&apos;y correspond : {0}</translation>
+        <translation>I + E n&apos;est pas définie positive, donc aucun facteur d&apos;échelle réel n&apos;y correspond&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} rows have both a reading and a reference magnitude; nine parameters need ten</source>
-        <translation>{0} lignes ont une lecture et un module de référence ; neuf paramètres en demandent dix</translation>
+        <translation>{0} lignes ont une lecture et un module de référence&#xa0;; neuf paramètres en demandent dix</translation>
     </message>
     <message>
         <source>the field would be uncertain by {0} nT: {1}</source>
-        <translation>le champ serait incertain de {0} nT : {1}</translation>
+        <translation>le champ serait incertain de {0} nT&#xa0;: {1}</translation>
     </message>
     <message>
         <source>the field would be uncertain by {0} nT</source>
@@ -3084,23 +3092,23 @@
     </message>
     <message>
         <source>Gauss-Newton does not settle, so the magnitudes hardly determine the parameters: {0}</source>
-        <translation>Gauss-Newton ne se stabilise pas, donc les modules déterminent à peine les paramètres : {0}</translation>
+        <translation>Gauss-Newton ne se stabilise pas, donc les modules déterminent à peine les paramètres&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the current {0} never changes, so its offset is part of the bias: leave it out</source>
-        <translation>le courant {0} ne change jamais, son décalage fait donc partie du biais : omettez-le</translation>
+        <translation>le courant {0} ne change jamais, son décalage fait donc partie du biais&#xa0;: omettez-le</translation>
     </message>
     <message>
         <source>the currents {0} are linearly dependent: leave one of them out</source>
-        <translation>les courants {0} sont linéairement dépendants : omettez-en un</translation>
+        <translation>les courants {0} sont linéairement dépendants&#xa0;: omettez-en un</translation>
     </message>
     <message>
         <source>run {0} has no channel {1}; it has {2}</source>
-        <translation>la mesure {0} n&apos;a pas de voie {1} ; elle a {2}</translation>
+        <translation>la mesure {0} n&apos;a pas de voie {1}&#xa0;; elle a {2}</translation>
     </message>
     <message>
         <source>channel {0} is no current of the DUT, which is what `telemetry` takes</source>
-        <translation>la voie {0} n&apos;est pas un courant du DUT ; c&apos;est ce que prend `telemetry`</translation>
+        <translation>la voie {0} n&apos;est pas un courant du DUT&#xa0;; c&apos;est ce que prend `telemetry`</translation>
     </message>
     <message>
         <source>the filter&apos;s covariance is no longer positive definite</source>
@@ -3108,15 +3116,15 @@
     </message>
     <message>
         <source>the filter has diverged, or the sensor has changed: readings lie {0} times farther from what it expects than the noise of the first ones allows</source>
-        <translation>le filtre a divergé, ou le capteur a changé : les lectures sont {0} fois plus loin de ce qu&apos;il attend que le bruit des premières ne le permet</translation>
+        <translation>le filtre a divergé, ou le capteur a changé&#xa0;: les lectures sont {0} fois plus loin de ce qu&apos;il attend que le bruit des premières ne le permet</translation>
     </message>
     <message>
         <source>the filter has diverged, or the sensor has changed: readings lie beyond all bounds farther from what it expects than the noise of the first ones allows</source>
-        <translation>le filtre a divergé, ou le capteur a changé : les lectures sont au-delà de toute borne plus loin de ce qu&apos;il attend que le bruit des premières ne le permet</translation>
+        <translation>le filtre a divergé, ou le capteur a changé&#xa0;: les lectures sont au-delà de toute borne plus loin de ce qu&apos;il attend que le bruit des premières ne le permet</translation>
     </message>
     <message>
         <source>{0} readings with a magnitude; a start needs {1}</source>
-        <translation>{0} lectures avec un module ; un départ en demande {1}</translation>
+        <translation>{0} lectures avec un module&#xa0;; un départ en demande {1}</translation>
     </message>
     <message>
         <source>the run is too short for {0} to begin</source>
@@ -3124,7 +3132,7 @@
     </message>
     <message>
         <source>the numbers broke down: {0}</source>
-        <translation>les nombres ont lâché : {0}</translation>
+        <translation>les nombres ont lâché&#xa0;: {0}</translation>
     </message>
     <message>
         <source>no row has both a reading and a reference</source>
@@ -3132,19 +3140,19 @@
     </message>
     <message>
         <source>the run determines {0} of 12 parameters: 1 rotation axis in {1} segments; rotate about another body axis</source>
-        <translation>la mesure détermine {0} paramètres sur 12 : 1 axe de rotation dans {1} segments ; tournez autour d&apos;un autre axe du corps</translation>
+        <translation>la mesure détermine {0} paramètres sur 12&#xa0;: 1 axe de rotation dans {1} segments&#xa0;; tournez autour d&apos;un autre axe du corps</translation>
     </message>
     <message>
         <source>the run determines {0} of 12 parameters: {1} rotation axes in {2} segments; rotate about another body axis</source>
-        <translation>la mesure détermine {0} paramètres sur 12 : {1} axes de rotation dans {2} segments ; tournez autour d&apos;un autre axe du corps</translation>
+        <translation>la mesure détermine {0} paramètres sur 12&#xa0;: {1} axes de rotation dans {2} segments&#xa0;; tournez autour d&apos;un autre axe du corps</translation>
     </message>
     <message>
         <source>the run does not determine the parameters: the normal equations are singular</source>
-        <translation>la mesure ne détermine pas les paramètres : les équations normales sont singulières</translation>
+        <translation>la mesure ne détermine pas les paramètres&#xa0;: les équations normales sont singulières</translation>
     </message>
     <message>
         <source>the run does not determine the parameters: {0}; add longer arcs, another axis or another magnitude</source>
-        <translation>la mesure ne détermine pas les paramètres : {0} ; ajoutez des arcs plus longs, un autre axe ou un autre module</translation>
+        <translation>la mesure ne détermine pas les paramètres&#xa0;: {0}&#xa0;; ajoutez des arcs plus longs, un autre axe ou un autre module</translation>
     </message>
     <message>
         <source>the likelihood has no clear summit</source>
@@ -3152,31 +3160,31 @@
     </message>
     <message>
         <source>rotation segment {0} of {1} does not turn about its declared axis_body: at least {2} deg from it</source>
-        <translation>le segment de rotation {0} sur {1} ne tourne pas autour de son axis_body déclaré : à au moins {2} deg</translation>
+        <translation>le segment de rotation {0} sur {1} ne tourne pas autour de son axis_body déclaré&#xa0;: à au moins {2} deg</translation>
     </message>
     <message>
         <source>there is no rotation segment that states its axis_body; rotate about known body axes</source>
-        <translation>aucun segment de rotation n&apos;indique son axis_body ; tournez autour d&apos;axes connus du corps</translation>
+        <translation>aucun segment de rotation n&apos;indique son axis_body&#xa0;; tournez autour d&apos;axes connus du corps</translation>
     </message>
     <message>
         <source>the magnitudes determine {0} of 9 parameters; rotate about another axis or use another magnitude</source>
-        <translation>les modules déterminent {0} paramètres sur 9 ; tournez autour d&apos;un autre axe ou prenez un autre module</translation>
+        <translation>les modules déterminent {0} paramètres sur 9&#xa0;; tournez autour d&apos;un autre axe ou prenez un autre module</translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2} and {3} more: {4}</source>
-        <translation>la mesure détermine {0} paramètres sur {1}, pas {2} ni {3} autres : {4}</translation>
+        <translation>la mesure détermine {0} paramètres sur {1}, pas {2} ni {3} autres&#xa0;: {4}</translation>
     </message>
     <message>
         <source>the run determines only {0} combinations of the {1} parameters; open are {2} and {3} more: {4}</source>
-        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres ; restent ouverts {2} et {3} autres : {4}</translation>
+        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres&#xa0;; restent ouverts {2} et {3} autres&#xa0;: {4}</translation>
     </message>
     <message>
         <source>the run determines only {0} combinations of the {1} parameters; open are {2}: {3}</source>
-        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres ; restent ouverts {2} : {3}</translation>
+        <translation>la mesure ne détermine que {0} combinaisons des {1} paramètres&#xa0;; restent ouverts {2}&#xa0;: {3}</translation>
     </message>
     <message>
         <source>the run determines {0} of {1} parameters, not {2}: {3}</source>
-        <translation>la mesure détermine {0} paramètres sur {1}, pas {2} : {3}</translation>
+        <translation>la mesure détermine {0} paramètres sur {1}, pas {2}&#xa0;: {3}</translation>
     </message>
     <message>
         <source>add a rotation about another body axis, or a field at another angle to the axis</source>
@@ -3188,7 +3196,7 @@
     </message>
     <message>
         <source>the readings lie close to one plane; turn the sensor about another body axis as well</source>
-        <translation>les lectures sont proches d&apos;un plan ; tournez aussi le capteur autour d&apos;un autre axe du corps</translation>
+        <translation>les lectures sont proches d&apos;un plan&#xa0;; tournez aussi le capteur autour d&apos;un autre axe du corps</translation>
     </message>
     <message>
         <source>quite another map fits as well</source>
@@ -3200,11 +3208,11 @@
     </message>
     <message>
         <source>there is no reference, so the scale is open: a field of known magnitude is needed</source>
-        <translation>il n&apos;y a pas de référence, l&apos;échelle est donc ouverte : il faut un champ de module connu</translation>
+        <translation>il n&apos;y a pas de référence, l&apos;échelle est donc ouverte&#xa0;: il faut un champ de module connu</translation>
     </message>
     <message>
         <source>{0} usable rows give {1} numbers; the map needs more than {2}</source>
-        <translation>{0} lignes utilisables donnent {1} nombres ; l&apos;application en demande plus de {2}</translation>
+        <translation>{0} lignes utilisables donnent {1} nombres&#xa0;; l&apos;application en demande plus de {2}</translation>
     </message>
     <message>
         <source>the reference is zero throughout</source>
@@ -3212,11 +3220,11 @@
     </message>
     <message>
         <source>no map comes near these readings: they do not follow the reference at all</source>
-        <translation>aucune application n&apos;approche ces lectures : elles ne suivent pas du tout la référence</translation>
+        <translation>aucune application n&apos;approche ces lectures&#xa0;: elles ne suivent pas du tout la référence</translation>
     </message>
     <message>
         <source>{0} never changes: nothing determines its scale; turn the sensor or look at the axis</source>
-        <translation>{0} ne change jamais : rien ne détermine son échelle ; tournez le capteur ou regardez l&apos;axe</translation>
+        <translation>{0} ne change jamais&#xa0;: rien ne détermine son échelle&#xa0;; tournez le capteur ou regardez l&apos;axe</translation>
     </message>
     <message>
         <source>the normal equations are not finite</source>
@@ -3224,19 +3232,19 @@
     </message>
     <message>
         <source>method {0} gives no calibration of run {1}: {2}</source>
-        <translation>la méthode {0} ne donne pas d&apos;étalonnage de la mesure {1} : {2}</translation>
+        <translation>la méthode {0} ne donne pas d&apos;étalonnage de la mesure {1}&#xa0;: {2}</translation>
     </message>
     <message>
         <source>run {0} has no reference: there is no residual to explain</source>
-        <translation>la mesure {0} n&apos;a pas de référence : il n&apos;y a pas de résidu à expliquer</translation>
+        <translation>la mesure {0} n&apos;a pas de référence&#xa0;: il n&apos;y a pas de résidu à expliquer</translation>
     </message>
     <message>
         <source>run {0} has {1} rows with a reading and a reference; {2} are needed</source>
-        <translation>la mesure {0} a {1} lignes avec une lecture et une référence ; il en faut {2}</translation>
+        <translation>la mesure {0} a {1} lignes avec une lecture et une référence&#xa0;; il en faut {2}</translation>
     </message>
     <message>
         <source>run {0} does not even determine an offset: {1}</source>
-        <translation>la mesure {0} ne détermine même pas un décalage : {1}</translation>
+        <translation>la mesure {0} ne détermine même pas un décalage&#xa0;: {1}</translation>
     </message>
     <message>
         <source>noise of the run, through the fit</source>
@@ -3332,83 +3340,83 @@
     </message>
     <message>
         <source>{0} to {1} nT held out (noise alone: {2} nT)</source>
-        <translation>{0} à {1} nT mis de côté (bruit seul : {2} nT)</translation>
+        <translation>{0} à {1} nT mis de côté (bruit seul&#xa0;: {2} nT)</translation>
     </message>
     <message>
         <source>The base model reaches the noise beside what the run declares of its reference and mounting: {0}.</source>
-        <translation>Le modèle de base atteint le bruit, à côté de ce que la mesure déclare de sa référence et de son montage : {0}.</translation>
+        <translation>Le modèle de base atteint le bruit, à côté de ce que la mesure déclare de sa référence et de son montage&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>The base model reaches the noise: {0}.</source>
-        <translation>Le modèle de base atteint le bruit : {0}.</translation>
+        <translation>Le modèle de base atteint le bruit&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>{0} explains part of the residual, {1} % of its square above the noise: {2}.</source>
-        <translation>{0} explique une partie du résidu, {1} % de son carré au-dessus du bruit : {2}.</translation>
+        <translation>{0} explique une partie du résidu, {1} % de son carré au-dessus du bruit&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>{0} explain part of the residual, {1} % of its square above the noise: {2}.</source>
-        <translation>{0} expliquent une partie du résidu, {1} % de son carré au-dessus du bruit : {2}.</translation>
+        <translation>{0} expliquent une partie du résidu, {1} % de son carré au-dessus du bruit&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>{0} explains part of the residual: {1}.</source>
-        <translation>{0} explique une partie du résidu : {1}.</translation>
+        <translation>{0} explique une partie du résidu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} explain part of the residual: {1}.</source>
-        <translation>{0} expliquent une partie du résidu : {1}.</translation>
+        <translation>{0} expliquent une partie du résidu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} explains the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
-        <translation>{0} explique le résidu : {1} ; mais d&apos;une mesure dont plus de {2} % des lignes sont écartées comme aberrantes, rien n&apos;est dit expliqué.</translation>
+        <translation>{0} explique le résidu&#xa0;: {1}&#xa0;; mais d&apos;une mesure dont plus de {2} % des lignes sont écartées comme aberrantes, rien n&apos;est dit expliqué.</translation>
     </message>
     <message>
         <source>{0} explain the residual: {1}; but of a run with more than {2} % of its rows set aside as outliers nothing is called explained.</source>
-        <translation>{0} expliquent le résidu : {1} ; mais d&apos;une mesure dont plus de {2} % des lignes sont écartées comme aberrantes, rien n&apos;est dit expliqué.</translation>
+        <translation>{0} expliquent le résidu&#xa0;: {1}&#xa0;; mais d&apos;une mesure dont plus de {2} % des lignes sont écartées comme aberrantes, rien n&apos;est dit expliqué.</translation>
     </message>
     <message>
         <source>{0} explains the residual: {1}; but {2} does as well on this run.</source>
-        <translation>{0} explique le résidu : {1} ; mais {2} fait aussi bien sur cette mesure.</translation>
+        <translation>{0} explique le résidu&#xa0;: {1}&#xa0;; mais {2} fait aussi bien sur cette mesure.</translation>
     </message>
     <message>
         <source>{0} explain the residual: {1}; but {2} does as well on this run.</source>
-        <translation>{0} expliquent le résidu : {1} ; mais {2} fait aussi bien sur cette mesure.</translation>
+        <translation>{0} expliquent le résidu&#xa0;: {1}&#xa0;; mais {2} fait aussi bien sur cette mesure.</translation>
     </message>
     <message>
         <source>{0} explains the residual: {1}; but {2} do as well on this run.</source>
-        <translation>{0} explique le résidu : {1} ; mais {2} font aussi bien sur cette mesure.</translation>
+        <translation>{0} explique le résidu&#xa0;: {1}&#xa0;; mais {2} font aussi bien sur cette mesure.</translation>
     </message>
     <message>
         <source>{0} explain the residual: {1}; but {2} do as well on this run.</source>
-        <translation>{0} expliquent le résidu : {1} ; mais {2} font aussi bien sur cette mesure.</translation>
+        <translation>{0} expliquent le résidu&#xa0;: {1}&#xa0;; mais {2} font aussi bien sur cette mesure.</translation>
     </message>
     <message>
         <source>{0} explains the residual beside what the run declares of its reference and mounting: {1}.</source>
-        <translation>{0} explique le résidu, à côté de ce que la mesure déclare de sa référence et de son montage : {1}.</translation>
+        <translation>{0} explique le résidu, à côté de ce que la mesure déclare de sa référence et de son montage&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} explain the residual beside what the run declares of its reference and mounting: {1}.</source>
-        <translation>{0} expliquent le résidu, à côté de ce que la mesure déclare de sa référence et de son montage : {1}.</translation>
+        <translation>{0} expliquent le résidu, à côté de ce que la mesure déclare de sa référence et de son montage&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} explains the residual: {1}.</source>
-        <translation>{0} explique le résidu : {1}.</translation>
+        <translation>{0} explique le résidu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>{0} explain the residual: {1}.</source>
-        <translation>{0} expliquent le résidu : {1}.</translation>
+        <translation>{0} expliquent le résidu&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>There is structure that no known effect carries: {0}.</source>
-        <translation>Il y a une structure qu&apos;aucun effet connu ne porte : {0}.</translation>
+        <translation>Il y a une structure qu&apos;aucun effet connu ne porte&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Beside the rows set aside there is structure that no known effect carries: {0}.</source>
-        <translation>À côté des lignes écartées, il y a une structure qu&apos;aucun effet connu ne porte : {0}.</translation>
+        <translation>À côté des lignes écartées, il y a une structure qu&apos;aucun effet connu ne porte&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>This cause has no name: it is an empirical term, and holds only where it has been seen.</source>
-        <translation>Cette cause n&apos;a pas de nom : c&apos;est un terme empirique, qui ne vaut que là où on l&apos;a vu.</translation>
+        <translation>Cette cause n&apos;a pas de nom&#xa0;: c&apos;est un terme empirique, qui ne vaut que là où on l&apos;a vu.</translation>
     </message>
     <message>
         <source>a function of {0}</source>
@@ -3468,7 +3476,7 @@
     </message>
     <message>
         <source>evidence over a slow wander without a name: {0}</source>
-        <translation>évidence face à une lente dérive sans nom : {0}</translation>
+        <translation>évidence face à une lente dérive sans nom&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} nats, {1} needed</source>
@@ -3476,15 +3484,15 @@
     </message>
     <message>
         <source>no better than chance or a slow wander: evidence {0}</source>
-        <translation>pas mieux que le hasard ou une lente dérive : évidence {0}</translation>
+        <translation>pas mieux que le hasard ou une lente dérive&#xa0;: évidence {0}</translation>
     </message>
     <message>
         <source>too little evidence: {0}</source>
-        <translation>trop peu d&apos;évidence : {0}</translation>
+        <translation>trop peu d&apos;évidence&#xa0;: {0}</translation>
     </message>
     <message>
         <source>takes {0} times the noise&apos;s square off the residual: not worth its parameters</source>
-        <translation>ôte au résidu {0} fois le carré du bruit : ne vaut pas ses paramètres</translation>
+        <translation>ôte au résidu {0} fois le carré du bruit&#xa0;: ne vaut pas ses paramètres</translation>
     </message>
     <message>
         <source>takes {0} times the noise&apos;s square off the residual in sample, but other forms of what is accepted take as much</source>
@@ -3492,27 +3500,27 @@
     </message>
     <message>
         <source>taken to first order ({0} to {1} nT held out), and given up: fitted in full, map and effects together leave {2} nT</source>
-        <translation>pris au premier ordre ({0} à {1} nT mis de côté), puis abandonné : ajustés en entier, application et effets laissent ensemble {2} nT</translation>
+        <translation>pris au premier ordre ({0} à {1} nT mis de côté), puis abandonné&#xa0;: ajustés en entier, application et effets laissent ensemble {2} nT</translation>
     </message>
     <message>
         <source>taken ({0} to {1} nT held out), and given up: it would be more than half of the field, and the others would undo it</source>
-        <translation>pris ({0} à {1} nT mis de côté), puis abandonné : ce serait plus de la moitié du champ, et les autres l&apos;annuleraient</translation>
+        <translation>pris ({0} à {1} nT mis de côté), puis abandonné&#xa0;: ce serait plus de la moitié du champ, et les autres l&apos;annuleraient</translation>
     </message>
     <message>
         <source>taken ({0} to {1} nT held out), and given up: it is no larger than its uncertainty, declared errors included; what is not there would seem as large in {2} % of runs</source>
-        <translation>pris ({0} à {1} nT mis de côté), puis abandonné : il n&apos;est pas plus grand que son incertitude, erreurs déclarées comprises ; ce qui n&apos;existe pas paraîtrait aussi grand dans {2} % des mesures</translation>
+        <translation>pris ({0} à {1} nT mis de côté), puis abandonné&#xa0;: il n&apos;est pas plus grand que son incertitude, erreurs déclarées comprises&#xa0;; ce qui n&apos;existe pas paraîtrait aussi grand dans {2} % des mesures</translation>
     </message>
     <message>
         <source>does as well as {0} in its place ({1} nT held out): a rival, neither is sure</source>
-        <translation>fait aussi bien que {0} à sa place ({1} nT mis de côté) : un rival, aucun n&apos;est sûr</translation>
+        <translation>fait aussi bien que {0} à sa place ({1} nT mis de côté)&#xa0;: un rival, aucun n&apos;est sûr</translation>
     </message>
     <message>
         <source>taken, and given up on held-out blocks: {0} to {1} nT, a gain of {2} to {3} nT that may be none</source>
-        <translation>pris, puis abandonné sur les blocs mis de côté : {0} à {1} nT, un gain de {2} à {3} nT qui peut être nul</translation>
+        <translation>pris, puis abandonné sur les blocs mis de côté&#xa0;: {0} à {1} nT, un gain de {2} à {3} nT qui peut être nul</translation>
     </message>
     <message>
         <source>taken, and given up on held-out blocks: {0} to {1} nT, but it is a detail beside others, or too much is left for its name to be sure</source>
-        <translation>pris, puis abandonné sur les blocs mis de côté : {0} à {1} nT, mais c&apos;est un détail à côté d&apos;autres, ou il reste trop pour que son nom soit sûr</translation>
+        <translation>pris, puis abandonné sur les blocs mis de côté&#xa0;: {0} à {1} nT, mais c&apos;est un détail à côté d&apos;autres, ou il reste trop pour que son nom soit sûr</translation>
     </message>
     <message>
         <source>What is left is more than noise, though no single test (white in each segment, independent of every channel, of field, angle and time) finds of what shape.</source>
@@ -3520,11 +3528,11 @@
     </message>
     <message>
         <source>What is left shows no material structure: white in each segment, independent of every channel, of field, angle and time.</source>
-        <translation>Ce qui reste ne montre aucune structure notable : blanc dans chaque segment, indépendant de chaque voie, du champ, de l&apos;angle et du temps.</translation>
+        <translation>Ce qui reste ne montre aucune structure notable&#xa0;: blanc dans chaque segment, indépendant de chaque voie, du champ, de l&apos;angle et du temps.</translation>
     </message>
     <message>
         <source>What is left: {0}</source>
-        <translation>Ce qui reste : {0}</translation>
+        <translation>Ce qui reste&#xa0;: {0}</translation>
     </message>
     <message>
         <source>What is left {0}.</source>
@@ -3620,7 +3628,7 @@
     </message>
     <message>
         <source>The selection ended without a set of effects that held-out data support whole; what its last round left stands.</source>
-        <translation>La sélection s&apos;est terminée sans groupe d&apos;effets que les données mises de côté soutiennent en entier ; ce que son dernier tour a laissé demeure.</translation>
+        <translation>La sélection s&apos;est terminée sans groupe d&apos;effets que les données mises de côté soutiennent en entier&#xa0;; ce que son dernier tour a laissé demeure.</translation>
     </message>
     <message>
         <source>k is the offset at {0}.</source>
@@ -3628,35 +3636,35 @@
     </message>
     <message>
         <source>In another recording {0} begins {1} nT astray (one standard deviation) until the field has wiped that out: the held-out error does not hold it, u_nT does.</source>
-        <translation>Dans un autre enregistrement, {0} commence à {1} nT d&apos;écart (un écart-type) jusqu&apos;à ce que le champ l&apos;ait effacé : l&apos;erreur mise de côté ne le contient pas, u_nT si.</translation>
+        <translation>Dans un autre enregistrement, {0} commence à {1} nT d&apos;écart (un écart-type) jusqu&apos;à ce que le champ l&apos;ait effacé&#xa0;: l&apos;erreur mise de côté ne le contient pas, u_nT si.</translation>
     </message>
     <message>
         <source>{0}: what K and k take as well</source>
-        <translation>{0} : ce que K et k prennent aussi</translation>
+        <translation>{0}&#xa0;: ce que K et k prennent aussi</translation>
     </message>
     <message>
         <source>{0} in place of {1}: another map</source>
-        <translation>{0} au lieu de {1} : une autre transformation</translation>
+        <translation>{0} au lieu de {1}&#xa0;: une autre transformation</translation>
     </message>
     <message>
         <source>What is left is within what the run declares: {0}.</source>
-        <translation>Ce qui reste est dans ce que la mesure déclare : {0}.</translation>
+        <translation>Ce qui reste est dans ce que la mesure déclare&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>What is left has the shape of what the run declares, and is larger: {0}.</source>
-        <translation>Ce qui reste a la forme de ce que la mesure déclare, en plus grand : {0}.</translation>
+        <translation>Ce qui reste a la forme de ce que la mesure déclare, en plus grand&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>{0} nT held out, {1} beside it (noise alone: {2} nT)</source>
-        <translation>{0} nT mis de côté, {1} à côté (bruit seul : {2} nT)</translation>
+        <translation>{0} nT mis de côté, {1} à côté (bruit seul&#xa0;: {2} nT)</translation>
     </message>
     <message>
         <source>Likeliest: {0}.</source>
-        <translation>Le plus probable : {0}.</translation>
+        <translation>Le plus probable&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Decided by other judgements than labcal&apos;s own: {0}.</source>
-        <translation>Décidé selon d&apos;autres critères que ceux de labcal : {0}.</translation>
+        <translation>Décidé selon d&apos;autres critères que ceux de labcal&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Declared errors leave as much or more in {0} % of runs.</source>
@@ -3664,7 +3672,7 @@
     </message>
     <message>
         <source>Declared errors leave as much or more in {0} % of runs: check these, or declare them as large as they are.</source>
-        <translation>Les erreurs déclarées laissent autant ou plus dans {0} % des mesures : vérifiez-les, ou déclarez-les aussi grandes qu&apos;elles sont.</translation>
+        <translation>Les erreurs déclarées laissent autant ou plus dans {0} % des mesures&#xa0;: vérifiez-les, ou déclarez-les aussi grandes qu&apos;elles sont.</translation>
     </message>
     <message>
         <source>reference scale ({0}) {1} nT</source>
@@ -3712,7 +3720,7 @@
     </message>
     <message>
         <source>The noise, whose level is not stated, follows itself for about {0} s and goes with nothing that is recorded: {1} nT.</source>
-        <translation>Le bruit, dont le niveau n&apos;est pas indiqué, se suit environ {0} s et ne va avec rien d&apos;enregistré : {1} nT.</translation>
+        <translation>Le bruit, dont le niveau n&apos;est pas indiqué, se suit environ {0} s et ne va avec rien d&apos;enregistré&#xa0;: {1} nT.</translation>
     </message>
     <message>
         <source>State the device&apos;s noise, measured at rest, to be sure.</source>
@@ -3720,15 +3728,15 @@
     </message>
     <message>
         <source>The noise measured at rest is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
-        <translation>Le bruit mesuré au repos est {0} fois celui déclaré : le plancher de {1} nT auquel les résultats sont comparés peut être faux.</translation>
+        <translation>Le bruit mesuré au repos est {0} fois celui déclaré&#xa0;: le plancher de {1} nT auquel les résultats sont comparés peut être faux.</translation>
     </message>
     <message>
         <source>The noise measured from row to row is {0} times the declared one: the floor of {1} nT that results are compared with may be wrong.</source>
-        <translation>Le bruit mesuré de ligne en ligne est {0} fois celui déclaré : le plancher de {1} nT auquel les résultats sont comparés peut être faux.</translation>
+        <translation>Le bruit mesuré de ligne en ligne est {0} fois celui déclaré&#xa0;: le plancher de {1} nT auquel les résultats sont comparés peut être faux.</translation>
     </message>
     <message>
         <source>Channels with {0}: {1}. They can show no cause.</source>
-        <translation>Voies avec {0} : {1}. Elles ne peuvent montrer aucune cause.</translation>
+        <translation>Voies avec {0}&#xa0;: {1}. Elles ne peuvent montrer aucune cause.</translation>
     </message>
     <message>
         <source>no value in this run</source>
@@ -3744,11 +3752,11 @@
     </message>
     <message>
         <source>Channels {0} and {1} are one signal: no fit tells which is the cause.</source>
-        <translation>Les voies {0} et {1} sont un seul signal : aucun ajustement ne dit laquelle est la cause.</translation>
+        <translation>Les voies {0} et {1} sont un seul signal&#xa0;: aucun ajustement ne dit laquelle est la cause.</translation>
     </message>
     <message>
         <source>The correction {0} is uncertain by {1} nT at {2}: the run did not go there.</source>
-        <translation>La correction {0} est incertaine de {1} nT à {2} : la mesure n&apos;y est pas allée.</translation>
+        <translation>La correction {0} est incertaine de {1} nT à {2}&#xa0;: la mesure n&apos;y est pas allée.</translation>
     </message>
     <message>
         <source>{0} in {1} µT along {2}</source>
@@ -3764,11 +3772,11 @@
     </message>
     <message>
         <source>Missing: large fields along every axis at both ends of {0}.</source>
-        <translation>Il manque : de grands champs selon chaque axe aux deux bouts de {0}.</translation>
+        <translation>Il manque&#xa0;: de grands champs selon chaque axe aux deux bouts de {0}.</translation>
     </message>
     <message>
         <source>Missing: both ends of {0} for long enough.</source>
-        <translation>Il manque : les deux bouts de {0}, assez longtemps.</translation>
+        <translation>Il manque&#xa0;: les deux bouts de {0}, assez longtemps.</translation>
     </message>
     <message>
         <source>Of {0}, {1} are, one by one, not pinned down by this run (value below U, k = 2).</source>
@@ -3784,11 +3792,11 @@
     </message>
     <message>
         <source>The readings come to {0} nT, the reference to {1} nT: the unit or nominal_nT_per_unit of one of them is not as declared.</source>
-        <translation>Les lectures sont de {0} nT, la référence de {1} nT : l&apos;unité ou nominal_nT_per_unit de l&apos;un n&apos;est pas comme déclaré.</translation>
+        <translation>Les lectures sont de {0} nT, la référence de {1} nT&#xa0;: l&apos;unité ou nominal_nT_per_unit de l&apos;un n&apos;est pas comme déclaré.</translation>
     </message>
     <message>
         <source>This run does not determine the whole map ({0} alone): too few axes or fields are excited; a whole map would leave {1} instead of {2} nT, and be anyone&apos;s guess.</source>
-        <translation>Cette mesure ne détermine pas toute l&apos;application ({0} seulement) : trop peu d&apos;axes ou de champs sont excités ; une application entière laisserait {1} au lieu de {2} nT, et serait devinée.</translation>
+        <translation>Cette mesure ne détermine pas toute l&apos;application ({0} seulement)&#xa0;: trop peu d&apos;axes ou de champs sont excités&#xa0;; une application entière laisserait {1} au lieu de {2} nT, et serait devinée.</translation>
     </message>
     <message>
         <source>Turn about the other body axes too.</source>
@@ -3796,11 +3804,11 @@
     </message>
     <message>
         <source>The fitted map mirrors the axes ({0}): an axis of the device or of the reference is flipped or two are swapped.</source>
-        <translation>L&apos;application ajustée reflète les axes ({0}) : un axe du DUT ou de la référence est retourné, ou deux sont échangés.</translation>
+        <translation>L&apos;application ajustée reflète les axes ({0})&#xa0;: un axe du DUT ou de la référence est retourné, ou deux sont échangés.</translation>
     </message>
     <message>
         <source>The fitted map turns the axes ({0}): the mounting or the names of the axes are not as declared.</source>
-        <translation>L&apos;application ajustée tourne les axes ({0}) : le montage ou les noms des axes ne sont pas comme déclaré.</translation>
+        <translation>L&apos;application ajustée tourne les axes ({0})&#xa0;: le montage ou les noms des axes ne sont pas comme déclaré.</translation>
     </message>
     <message>
         <source>{0} is the device&apos;s {1}</source>
@@ -3808,11 +3816,11 @@
     </message>
     <message>
         <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT ({3} fits as well).</source>
-        <translation>La mesure s&apos;ajuste bien mieux {0} : le modèle de base laisse {1} au lieu de {2} nT ({3} va aussi).</translation>
+        <translation>La mesure s&apos;ajuste bien mieux {0}&#xa0;: le modèle de base laisse {1} au lieu de {2} nT ({3} va aussi).</translation>
     </message>
     <message>
         <source>The run fits far better {0}: the base model leaves {1} instead of {2} nT.</source>
-        <translation>La mesure s&apos;ajuste bien mieux {0} : le modèle de base laisse {1} au lieu de {2} nT.</translation>
+        <translation>La mesure s&apos;ajuste bien mieux {0}&#xa0;: le modèle de base laisse {1} au lieu de {2} nT.</translation>
     </message>
     <message>
         <source>with the reference taken in the body&apos;s frame, not the cage&apos;s</source>
@@ -3852,7 +3860,7 @@
     </message>
     <message>
         <source>The clocks do not agree: {0}; put right, the base model leaves {1} instead of {2} nT.</source>
-        <translation>Les horloges ne s&apos;accordent pas : {0} ; corrigées, le modèle de base laisse {1} au lieu de {2} nT.</translation>
+        <translation>Les horloges ne s&apos;accordent pas&#xa0;: {0}&#xa0;; corrigées, le modèle de base laisse {1} au lieu de {2} nT.</translation>
     </message>
     <message>
         <source>the stamps of the device under test seem {0} s late</source>
@@ -3880,11 +3888,11 @@
     </message>
     <message>
         <source>The readings do not follow the reference: the base model leaves {0} of {1} nT, and no flip or exchange of axes and no offset of a clock explains it.</source>
-        <translation>Les lectures ne suivent pas la référence : le modèle de base laisse {0} de {1} nT, et ni retournement ni échange d&apos;axes ni décalage d&apos;horloge ne l&apos;explique.</translation>
+        <translation>Les lectures ne suivent pas la référence&#xa0;: le modèle de base laisse {0} de {1} nT, et ni retournement ni échange d&apos;axes ni décalage d&apos;horloge ne l&apos;explique.</translation>
     </message>
     <message>
         <source>working the calibration out again: {0}</source>
-        <translation>l&apos;étalonnage est recalculé : {0}</translation>
+        <translation>l&apos;étalonnage est recalculé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>fitting by {0}</source>
@@ -3896,11 +3904,11 @@
     </message>
     <message>
         <source>{0} do as well as each other on this run; the experiment would bring them {1} standard deviations apart, as the fit predicts</source>
-        <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure ; l&apos;essai les écarterait de {1} écarts-types, selon l&apos;ajustement</translation>
+        <translation>{0} font aussi bien l&apos;un que l&apos;autre sur cette mesure&#xa0;; l&apos;essai les écarterait de {1} écarts-types, selon l&apos;ajustement</translation>
     </message>
     <message>
         <source>structure remains that no known effect carries: {0}</source>
-        <translation>il reste une structure qu&apos;aucun effet connu ne porte : {0}</translation>
+        <translation>il reste une structure qu&apos;aucun effet connu ne porte&#xa0;: {0}</translation>
     </message>
     <message>
         <source>what is left has the shape of errors that the run declares of its reference and mounting, and is larger</source>
@@ -3920,11 +3928,11 @@
     </message>
     <message>
         <source>turn once forwards and once backwards: what stays at its angles belongs to the rig</source>
-        <translation>tournez une fois en avant et une fois en arrière : ce qui reste à ses angles appartient au montage</translation>
+        <translation>tournez une fois en avant et une fois en arrière&#xa0;: ce qui reste à ses angles appartient au montage</translation>
     </message>
     <message>
         <source>step the field up and down along each axis: what grows with the field shows its shape</source>
-        <translation>faites monter et descendre le champ par paliers selon chaque axe : ce qui croît avec le champ montre sa forme</translation>
+        <translation>faites monter et descendre le champ par paliers selon chaque axe&#xa0;: ce qui croît avec le champ montre sa forme</translation>
     </message>
     <message>
         <source>record at rest with the coils off, then switch what runs at that period off one by one</source>
@@ -3932,7 +3940,7 @@
     </message>
     <message>
         <source>repeat the run unchanged and note what is switched: a step that does not come back was an event</source>
-        <translation>répétez la mesure telle quelle et notez ce qui est commuté : un saut qui ne revient pas était un événement</translation>
+        <translation>répétez la mesure telle quelle et notez ce qui est commuté&#xa0;: un saut qui ne revient pas était un événement</translation>
     </message>
     <message>
         <source>switch every load and mode on and off at one attitude, and look for the two levels</source>
@@ -3940,15 +3948,15 @@
     </message>
     <message>
         <source>record for an hour at rest: a wander of the sensor goes on, one of the rig does not</source>
-        <translation>enregistrez une heure au repos : une dérive du capteur continue, celle du montage non</translation>
+        <translation>enregistrez une heure au repos&#xa0;: une dérive du capteur continue, celle du montage non</translation>
     </message>
     <message>
         <source>turn at half and at twice the rate: what belongs to angle or field comes again</source>
-        <translation>tournez à la moitié et au double de la vitesse : ce qui tient à l&apos;angle ou au champ revient</translation>
+        <translation>tournez à la moitié et au double de la vitesse&#xa0;: ce qui tient à l&apos;angle ou au champ revient</translation>
     </message>
     <message>
         <source>record at rest with the coils off: the noise that remains is the sensor&apos;s own</source>
-        <translation>enregistrez au repos, bobines coupées : le bruit qui reste est celui du capteur</translation>
+        <translation>enregistrez au repos, bobines coupées&#xa0;: le bruit qui reste est celui du capteur</translation>
     </message>
     <message>
         <source>repeat with another reference</source>
@@ -4024,27 +4032,27 @@
     </message>
     <message>
         <source>Over {0} it is {1} about {2}: {3}.</source>
-        <translation>En fonction de {0}, c&apos;est {1} autour de {2} : {3}.</translation>
+        <translation>En fonction de {0}, c&apos;est {1} autour de {2}&#xa0;: {3}.</translation>
     </message>
     <message>
         <source>Over {0} it is {1}: {2}.</source>
-        <translation>En fonction de {0}, c&apos;est {1} : {2}.</translation>
+        <translation>En fonction de {0}, c&apos;est {1}&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>Over {0} it is {1} about {2}: {3}</source>
-        <translation>En fonction de {0}, c&apos;est {1} autour de {2} : {3}</translation>
+        <translation>En fonction de {0}, c&apos;est {1} autour de {2}&#xa0;: {3}</translation>
     </message>
     <message>
         <source>Over {0} it is {1}: {2}</source>
-        <translation>En fonction de {0}, c&apos;est {1} : {2}</translation>
+        <translation>En fonction de {0}, c&apos;est {1}&#xa0;: {2}</translation>
     </message>
     <message>
         <source>It differs on the way back: something remembers, as iron and warm masses do.</source>
-        <translation>Il diffère au retour : quelque chose se souvient, comme le font le fer et les masses chaudes.</translation>
+        <translation>Il diffère au retour&#xa0;: quelque chose se souvient, comme le font le fer et les masses chaudes.</translation>
     </message>
     <message>
         <source>It differs on the way back: something remembers, as iron and warm masses do</source>
-        <translation>Il diffère au retour : quelque chose se souvient, comme le font le fer et les masses chaudes</translation>
+        <translation>Il diffère au retour&#xa0;: quelque chose se souvient, comme le font le fer et les masses chaudes</translation>
     </message>
     <message>
         <source>straight</source>
@@ -4108,7 +4116,7 @@
     </message>
     <message>
         <source>a response of higher order; more range would show which</source>
-        <translation>une réponse d&apos;ordre supérieur ; plus d&apos;étendue montrerait laquelle</translation>
+        <translation>une réponse d&apos;ordre supérieur&#xa0;; plus d&apos;étendue montrerait laquelle</translation>
     </message>
     <message>
         <source>a sensitivity to one that the other changes, as a gain that follows a temperature</source>
@@ -4144,7 +4152,7 @@
     </message>
     <message>
         <source>hold {0} and {1}; then the other way round</source>
-        <translation>fixez {0} et {1} ; puis l&apos;inverse</translation>
+        <translation>fixez {0} et {1}&#xa0;; puis l&apos;inverse</translation>
     </message>
     <message>
         <source>mount the device turned by 180° about the platform axis and repeat</source>
@@ -4168,7 +4176,7 @@
     </message>
     <message>
         <source>turn the device by 90° on the platform and repeat: what the platform reads wrong stays at its angles</source>
-        <translation>tournez le DUT de 90° sur le plateau et recommencez : ce que le plateau lit mal reste à ses angles</translation>
+        <translation>tournez le DUT de 90° sur le plateau et recommencez&#xa0;: ce que le plateau lit mal reste à ses angles</translation>
     </message>
     <message>
         <source>move the device by 5 cm and repeat one segment</source>
@@ -4192,7 +4200,7 @@
     </message>
     <message>
         <source>turn faster, and backwards: a lag grows with the rate and changes sign with it</source>
-        <translation>tournez plus vite, et en arrière : un retard croît avec la vitesse et change de signe avec elle</translation>
+        <translation>tournez plus vite, et en arrière&#xa0;: un retard croît avec la vitesse et change de signe avec elle</translation>
     </message>
     <message>
         <source>step the field along each axis through its whole range</source>
@@ -4228,7 +4236,7 @@
     </message>
     <message>
         <source>record at rest, and again at another sampling rate: an alias moves</source>
-        <translation>enregistrez au repos, puis à une autre cadence : un repliement se déplace</translation>
+        <translation>enregistrez au repos, puis à une autre cadence&#xa0;: un repliement se déplace</translation>
     </message>
     <message>
         <source>compare the reference with a second one before and after</source>
@@ -4248,7 +4256,7 @@
     </message>
     <message>
         <source>readings stop at the end of the range: {0}</source>
-        <translation>les lectures s&apos;arrêtent au bout de l&apos;étendue : {0}</translation>
+        <translation>les lectures s&apos;arrêtent au bout de l&apos;étendue&#xa0;: {0}</translation>
     </message>
     <message>
         <source>fitting the base model</source>
@@ -4264,11 +4272,11 @@
     </message>
     <message>
         <source>scoring {0} beside {1}</source>
-        <translation>évaluation : {0} à côté de {1}</translation>
+        <translation>évaluation&#xa0;: {0} à côté de {1}</translation>
     </message>
     <message>
         <source>scoring {0}</source>
-        <translation>évaluation : {0}</translation>
+        <translation>évaluation&#xa0;: {0}</translation>
     </message>
     <message>
         <source>every effect</source>
@@ -4312,11 +4320,11 @@
     </message>
     <message>
         <source>a cause is in sight, not proven yet: what is left over falls from {0} to {1} times the noise ({2})</source>
-        <translation>une cause est en vue, pas encore prouvée : ce qui reste passe de {0} à {1} fois le bruit ({2})</translation>
+        <translation>une cause est en vue, pas encore prouvée&#xa0;: ce qui reste passe de {0} à {1} fois le bruit ({2})</translation>
     </message>
     <message>
         <source>stopped while {0}; {1}</source>
-        <translation>arrêté : {0} ; {1}</translation>
+        <translation>arrêté&#xa0;: {0}&#xa0;; {1}</translation>
     </message>
     <message>
         <source>nothing is known yet</source>
@@ -4324,19 +4332,19 @@
     </message>
     <message>
         <source>offsets so far: not yet determined by the turns made</source>
-        <translation>décalages jusqu&apos;ici : pas encore déterminés par les tours faits</translation>
+        <translation>décalages jusqu&apos;ici&#xa0;: pas encore déterminés par les tours faits</translation>
     </message>
     <message>
         <source>offsets so far, from magnitudes alone: {0} nT (k = 2)</source>
-        <translation>décalages jusqu&apos;ici, d&apos;après les seuls modules : {0} nT (k = 2)</translation>
+        <translation>décalages jusqu&apos;ici, d&apos;après les seuls modules&#xa0;: {0} nT (k = 2)</translation>
     </message>
     <message>
         <source>offsets so far: the quick estimate of this procedure, from magnitudes alone, does not follow these readings; verdict and Fit do not rest on it</source>
-        <translation>offsets jusqu’ici : l’estimation rapide de cette procédure, des seules normes, ne suit pas ces lectures ; ni le verdict ni Ajuster ne reposent sur elle</translation>
+        <translation>offsets jusqu’ici&#xa0;: l’estimation rapide de cette procédure, des seules normes, ne suit pas ces lectures&#xa0;; ni le verdict ni Ajuster ne reposent sur elle</translation>
     </message>
     <message>
         <source>offsets so far: {0}</source>
-        <translation>décalages jusqu&apos;ici : {0}</translation>
+        <translation>décalages jusqu&apos;ici&#xa0;: {0}</translation>
     </message>
     <message>
         <source>axes, handedness and angle are as stated</source>
@@ -4344,7 +4352,7 @@
     </message>
     <message>
         <source>the angle runs the wrong way round: turn angle_sign in bench.toml</source>
-        <translation>l&apos;angle va dans le mauvais sens : changez angle_sign dans bench.toml</translation>
+        <translation>l&apos;angle va dans le mauvais sens&#xa0;: changez angle_sign dans bench.toml</translation>
     </message>
     <message>
         <source>a turn by {0}° is seen by the DUT as {1}°</source>
@@ -4352,43 +4360,43 @@
     </message>
     <message>
         <source>the DUT&apos;s {0} axis shows {1}</source>
-        <translation>DUT : l&apos;axe {0} montre {1}</translation>
+        <translation>DUT&#xa0;: l&apos;axe {0} montre {1}</translation>
     </message>
     <message>
         <source>the DUT&apos;s {0} axis points {1}° beside</source>
-        <translation>DUT : l&apos;axe {0} pointe {1}° à côté</translation>
+        <translation>DUT&#xa0;: l&apos;axe {0} pointe {1}° à côté</translation>
     </message>
     <message>
         <source>the DUT&apos;s axes are left-handed</source>
-        <translation>DUT : les axes sont gauches</translation>
+        <translation>DUT&#xa0;: les axes sont gauches</translation>
     </message>
     <message>
         <source>the reference&apos;s {0} axis shows {1}</source>
-        <translation>référence : l&apos;axe {0} montre {1}</translation>
+        <translation>référence&#xa0;: l&apos;axe {0} montre {1}</translation>
     </message>
     <message>
         <source>the reference&apos;s {0} axis points {1}° beside</source>
-        <translation>référence : l&apos;axe {0} pointe {1}° à côté</translation>
+        <translation>référence&#xa0;: l&apos;axe {0} pointe {1}° à côté</translation>
     </message>
     <message>
         <source>the reference&apos;s axes are left-handed</source>
-        <translation>référence : les axes sont gauches</translation>
+        <translation>référence&#xa0;: les axes sont gauches</translation>
     </message>
     <message>
         <source>{0}: {1} nT, within which the zero lies</source>
-        <translation>{0} : {1} nT, dans lesquels se trouve le zéro</translation>
+        <translation>{0}&#xa0;: {1} nT, dans lesquels se trouve le zéro</translation>
     </message>
     <message>
         <source>{0}: {1} nT is beyond {2} nT; something moved or drifted</source>
-        <translation>{0} : {1} nT dépasse {2} nT ; quelque chose a bougé ou dérivé</translation>
+        <translation>{0}&#xa0;: {1} nT dépasse {2} nT&#xa0;; quelque chose a bougé ou dérivé</translation>
     </message>
     <message>
         <source>{0}: {1} is beyond its limit of {2}</source>
-        <translation>{0} : {1} dépasse sa limite de {2}</translation>
+        <translation>{0}&#xa0;: {1} dépasse sa limite de {2}</translation>
     </message>
     <message>
         <source>{0}: not seen: {1}</source>
-        <translation>{0} : non vu : {1}</translation>
+        <translation>{0}&#xa0;: non vu&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0} names itself {1}, and this run is of {2}</source>
@@ -4396,11 +4404,11 @@
     </message>
     <message>
         <source>{0} names itself {1}, and this run is of {2}. Measure it as {3} all the same?</source>
-        <translation>{0} se nomme {1}, et cette mesure est de {2}. Le mesurer quand même comme {3} ?</translation>
+        <translation>{0} se nomme {1}, et cette mesure est de {2}. Le mesurer quand même comme {3}&#xa0;?</translation>
     </message>
     <message>
         <source>{0} names itself {1}, and this run is of {2}: nothing was measured. Say which DUT it is, and begin anew.</source>
-        <translation>{0} se nomme {1}, et cette mesure est de {2} : rien n&apos;a été mesuré. Dire de quel capteur il s&apos;agit, et recommencer.</translation>
+        <translation>{0} se nomme {1}, et cette mesure est de {2}&#xa0;: rien n&apos;a été mesuré. Dire de quel capteur il s&apos;agit, et recommencer.</translation>
     </message>
     <message>
         <source>{0} names itself {1}, and bench.toml states {2}</source>
@@ -4408,35 +4416,35 @@
     </message>
     <message>
         <source>{0} skipped: {1}</source>
-        <translation>{0} omis : {1}</translation>
+        <translation>{0} omis&#xa0;: {1}</translation>
     </message>
     <message>
         <source>not used: {0}: {1}</source>
-        <translation>non utilisé : {0} : {1}</translation>
+        <translation>non utilisé&#xa0;: {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>{0}: it answers again</source>
-        <translation>{0} : répond de nouveau</translation>
+        <translation>{0}&#xa0;: répond de nouveau</translation>
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now; ambient field {2} nT before, {3} nT now</source>
-        <translation>après le silence : plate-forme {0}° avant, {1}° maintenant ; champ ambiant {2} nT avant, {3} nT maintenant</translation>
+        <translation>après le silence&#xa0;: plate-forme {0}° avant, {1}° maintenant&#xa0;; champ ambiant {2} nT avant, {3} nT maintenant</translation>
     </message>
     <message>
         <source>after the silence: platform {0}° before, {1}° now</source>
-        <translation>après le silence : plate-forme {0}° avant, {1}° maintenant</translation>
+        <translation>après le silence&#xa0;: plate-forme {0}° avant, {1}° maintenant</translation>
     </message>
     <message>
         <source>after the silence: ambient field {0} nT before, {1} nT now</source>
-        <translation>après le silence : champ ambiant {0} nT avant, {1} nT maintenant</translation>
+        <translation>après le silence&#xa0;: champ ambiant {0} nT avant, {1} nT maintenant</translation>
     </message>
     <message>
         <source>the end of the run waits: {0}</source>
-        <translation>la fin de la mesure attend : {0}</translation>
+        <translation>la fin de la mesure attend&#xa0;: {0}</translation>
     </message>
     <message>
         <source>the run ends: {0}</source>
-        <translation>la mesure se termine : {0}</translation>
+        <translation>la mesure se termine&#xa0;: {0}</translation>
     </message>
     <message>
         <source>goes on after an interruption</source>
@@ -4444,11 +4452,11 @@
     </message>
     <message>
         <source>no turn was finished before the interruption: it begins anew, and nothing of before is used</source>
-        <translation>aucune rotation n&apos;était terminée avant l&apos;interruption : on recommence, et rien d&apos;avant n&apos;est utilisé</translation>
+        <translation>aucune rotation n&apos;était terminée avant l&apos;interruption&#xa0;: on recommence, et rien d&apos;avant n&apos;est utilisé</translation>
     </message>
     <message>
         <source>turns kept from before the interruption: {0}; the zero, the axes and the timing are measured again: they tell whether anything moved or drifted since</source>
-        <translation>rotations gardées d&apos;avant l&apos;interruption : {0} ; le zéro, les axes et les temps sont mesurés encore : ils disent si quelque chose a bougé ou dérivé depuis</translation>
+        <translation>rotations gardées d&apos;avant l&apos;interruption&#xa0;: {0}&#xa0;; le zéro, les axes et les temps sont mesurés encore&#xa0;: ils disent si quelque chose a bougé ou dérivé depuis</translation>
     </message>
     <message>
         <source>goes on</source>
@@ -4464,7 +4472,7 @@
     </message>
     <message>
         <source>the room is not fit for the job: {0}</source>
-        <translation>la salle ne convient pas : {0}</translation>
+        <translation>la salle ne convient pas&#xa0;: {0}</translation>
     </message>
     <message>
         <source>its {0} nT are {1} nT above what {2} expects outdoors ({3} nT, U = {4} nT, k = 2)</source>
@@ -4480,7 +4488,7 @@
     </message>
     <message>
         <source>of {0} no field is expected: WMM is here from {1} to {2}</source>
-        <translation>pour {0} aucun champ n&apos;est attendu : WMM va ici de {1} à {2}</translation>
+        <translation>pour {0} aucun champ n&apos;est attendu&#xa0;: WMM va ici de {1} à {2}</translation>
     </message>
     <message>
         <source>{0} Hz is not distinguishable from {1} at {2}/s</source>
@@ -4504,15 +4512,15 @@
     </message>
     <message>
         <source>Not covered by the uncertainties, because it is not stated: {0}.</source>
-        <translation>Non couvert par les incertitudes, car non indiqué : {0}.</translation>
+        <translation>Non couvert par les incertitudes, car non indiqué&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Not covered by the uncertainty of the tracking error: the reference&apos;s own errors.</source>
-        <translation>Non couvert par l&apos;incertitude de l&apos;erreur de suivi : les erreurs propres de la référence.</translation>
+        <translation>Non couvert par l&apos;incertitude de l&apos;erreur de suivi&#xa0;: les erreurs propres de la référence.</translation>
     </message>
     <message>
         <source>For cage and surroundings; this is no deperm of a spacecraft.</source>
-        <translation>Pour la cage et son entourage ; ce n&apos;est pas la désaimantation d&apos;un véhicule spatial.</translation>
+        <translation>Pour la cage et son entourage&#xa0;; ce n&apos;est pas la désaimantation d&apos;un véhicule spatial.</translation>
     </message>
     <message>
         <source>departure from the centre, each coil</source>
@@ -4520,7 +4528,7 @@
     </message>
     <message>
         <source>draft: {0}</source>
-        <translation>brouillon : {0}</translation>
+        <translation>brouillon&#xa0;: {0}</translation>
     </message>
     <message>
         <source>bias per ampere, one column a load</source>
@@ -4540,7 +4548,7 @@
     </message>
     <message>
         <source>too few directions for harmonics: what K and k do not hold is not reported by degree</source>
-        <translation>trop peu de directions pour les harmoniques : ce que K et k ne portent pas n&apos;est pas rapporté par degré</translation>
+        <translation>trop peu de directions pour les harmoniques&#xa0;: ce que K et k ne portent pas n&apos;est pas rapporté par degré</translation>
     </message>
     <message>
         <source>the field is the reference&apos;s, measured at the DUT</source>
@@ -4568,23 +4576,23 @@
     </message>
     <message>
         <source>{0}; {1} fields set</source>
-        <translation>{0} ; {1} champs réglés</translation>
+        <translation>{0}&#xa0;; {1} champs réglés</translation>
     </message>
     <message>
         <source>No heading is judged: of the field the reference tells the magnitude alone.</source>
-        <translation>Aucune direction n&apos;est jugée : du champ, la référence ne donne que le module.</translation>
+        <translation>Aucune direction n&apos;est jugée&#xa0;: du champ, la référence ne donne que le module.</translation>
     </message>
     <message>
         <source>Of the reference, because the run does not state it: {0}.</source>
-        <translation>De la référence, car la mesure ne l&apos;indique pas : {0}.</translation>
+        <translation>De la référence, car la mesure ne l&apos;indique pas&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Of the reference, because the run states it as 0: {0}.</source>
-        <translation>De la référence, car la mesure indique 0 : {0}.</translation>
+        <translation>De la référence, car la mesure indique 0&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Frame as mounted; mounting uncertainty not included.</source>
-        <translation>Repère tel que monté ; incertitude du montage non comprise.</translation>
+        <translation>Repère tel que monté&#xa0;; incertitude du montage non comprise.</translation>
     </message>
     <message>
         <source>The direction of the platform&apos;s axis in the cage.</source>
@@ -4652,7 +4660,7 @@
     </message>
     <message>
         <source>x along coil x: matrix_nT_per_A = {0}</source>
-        <translation>x le long de la bobine x : matrix_nT_per_A = {0}</translation>
+        <translation>x le long de la bobine x&#xa0;: matrix_nT_per_A = {0}</translation>
     </message>
     <message>
         <source>{0} needs a vector reference and three numbers, --set field_nT=0,0,30000</source>
@@ -4660,15 +4668,15 @@
     </message>
     <message>
         <source>{0} needs a vector reference; for a scalar one see {1}</source>
-        <translation>{0} demande une référence vectorielle ; pour une scalaire, voir {1}</translation>
+        <translation>{0} demande une référence vectorielle&#xa0;; pour une scalaire, voir {1}</translation>
     </message>
     <message>
         <source>{0} needs a scalar reference ([reference] kind); for a vector one see {1}</source>
-        <translation>{0} demande une référence scalaire ([reference] kind) ; pour une vectorielle, voir {1}</translation>
+        <translation>{0} demande une référence scalaire ([reference] kind)&#xa0;; pour une vectorielle, voir {1}</translation>
     </message>
     <message>
         <source>the reference stands elsewhere: {0} needs [cage] calibration, from {1}</source>
-        <translation>la référence est ailleurs : {0} demande [cage] calibration, de {1}</translation>
+        <translation>la référence est ailleurs&#xa0;: {0} demande [cage] calibration, de {1}</translation>
     </message>
     <message>
         <source>{0} needs a vector reference</source>
@@ -4684,19 +4692,19 @@
     </message>
     <message>
         <source>the DUT has no current channel {0}; it has {1}</source>
-        <translation>le DUT n&apos;a pas de voie de courant {0} ; il a {1}</translation>
+        <translation>le DUT n&apos;a pas de voie de courant {0}&#xa0;; il a {1}</translation>
     </message>
     <message>
         <source>the DUT has no temperature channel {0}; it has {1}</source>
-        <translation>le DUT n&apos;a pas de voie de température {0} ; il a {1}</translation>
+        <translation>le DUT n&apos;a pas de voie de température {0}&#xa0;; il a {1}</translation>
     </message>
     <message>
         <source>configuration: {0} not as stated</source>
-        <translation>configuration : {0} pas comme indiqué</translation>
+        <translation>configuration&#xa0;: {0} pas comme indiqué</translation>
     </message>
     <message>
         <source>{0}: the coils have moved the field by {1} nT and the reading not at all.</source>
-        <translation>{0} : les bobines ont déplacé le champ de {1} nT, et la lecture pas du tout.</translation>
+        <translation>{0}&#xa0;: les bobines ont déplacé le champ de {1} nT, et la lecture pas du tout.</translation>
     </message>
     <message>
         <source>no field stood for as long as one sample of the reference.</source>
@@ -4708,15 +4716,15 @@
     </message>
     <message>
         <source>locate needs the coils&apos; geometry: state [cage.geometry] size_m, and in halves the coils of which one half can be reversed at its terminals</source>
-        <translation>locate demande la géométrie des bobines : indiquez [cage.geometry] size_m, et dans halves les bobines dont une moitié peut être inversée à ses bornes</translation>
+        <translation>locate demande la géométrie des bobines&#xa0;: indiquez [cage.geometry] size_m, et dans halves les bobines dont une moitié peut être inversée à ses bornes</translation>
     </message>
     <message>
         <source>no coil&apos;s halves can be reversed ([cage.geometry] halves): near its middle the field of a pair does not change with the place to first order, and tells none</source>
-        <translation>les moitiés d&apos;aucune bobine ne peuvent être inversées ([cage.geometry] halves) : près du milieu, le champ d&apos;une paire ne change pas avec la place au premier ordre, et n&apos;en révèle aucune</translation>
+        <translation>les moitiés d&apos;aucune bobine ne peuvent être inversées ([cage.geometry] halves)&#xa0;: près du milieu, le champ d&apos;une paire ne change pas avec la place au premier ordre, et n&apos;en révèle aucune</translation>
     </message>
     <message>
         <source>no half was reversed: the field of a pair as it should be is flat at its middle</source>
-        <translation>aucune moitié n&apos;était inversée : le champ d&apos;une paire comme elle doit être est plat en son milieu</translation>
+        <translation>aucune moitié n&apos;était inversée&#xa0;: le champ d&apos;une paire comme elle doit être est plat en son milieu</translation>
     </message>
     <message>
         <source>the sensor does not see three coils in three directions</source>
@@ -4724,11 +4732,11 @@
     </message>
     <message>
         <source>what the sensor sees fits no place inside the coils: are the halves reversed as asked?</source>
-        <translation>ce que voit le capteur ne correspond à aucune place dans les bobines : les moitiés sont-elles inversées comme demandé ?</translation>
+        <translation>ce que voit le capteur ne correspond à aucune place dans les bobines&#xa0;: les moitiés sont-elles inversées comme demandé&#xa0;?</translation>
     </message>
     <message>
         <source>the currents do not span all three coils: step each coil at two currents at least</source>
-        <translation>les courants ne couvrent pas les trois bobines : réglez chaque bobine à deux courants au moins</translation>
+        <translation>les courants ne couvrent pas les trois bobines&#xa0;: réglez chaque bobine à deux courants au moins</translation>
     </message>
     <message>
         <source>these turns do not determine all of the moment</source>
@@ -4736,27 +4744,27 @@
     </message>
     <message>
         <source>these fields do not determine K, k and drift: they lie in a plane, or follow the time</source>
-        <translation>ces champs ne déterminent pas K, k et la dérive : ils sont dans un plan, ou suivent le temps</translation>
+        <translation>ces champs ne déterminent pas K, k et la dérive&#xa0;: ils sont dans un plan, ou suivent le temps</translation>
     </message>
     <message>
         <source>{0} fields are too few: K, k and drift need {1}</source>
-        <translation>{0} champs sont trop peu : K, k et la dérive en demandent {1}</translation>
+        <translation>{0} champs sont trop peu&#xa0;: K, k et la dérive en demandent {1}</translation>
     </message>
     <message>
         <source>these currents do not determine the coils: each alone in both signs, and every two together</source>
-        <translation>ces courants ne déterminent pas les bobines : chacune seule dans les deux signes, et deux à deux</translation>
+        <translation>ces courants ne déterminent pas les bobines&#xa0;: chacune seule dans les deux signes, et deux à deux</translation>
     </message>
     <message>
         <source>the magnitudes are those of no three coils: does the sensor follow the currents?</source>
-        <translation>les modules ne sont ceux d&apos;aucun trio de bobines : le capteur suit-il les courants ?</translation>
+        <translation>les modules ne sont ceux d&apos;aucun trio de bobines&#xa0;: le capteur suit-il les courants&#xa0;?</translation>
     </message>
     <message>
         <source>these currents do not determine coils and ambient field: turn the field all round, in two sizes</source>
-        <translation>ces courants ne déterminent pas les bobines et le champ ambiant : tournez le champ tout autour, en deux modules</translation>
+        <translation>ces courants ne déterminent pas les bobines et le champ ambiant&#xa0;: tournez le champ tout autour, en deux modules</translation>
     </message>
     <message>
         <source>{0} magnitudes are too few: coils, ambient field and its course need {1}</source>
-        <translation>{0} modules sont trop peu : bobines, champ ambiant et son évolution en demandent {1}</translation>
+        <translation>{0} modules sont trop peu&#xa0;: bobines, champ ambiant et son évolution en demandent {1}</translation>
     </message>
     <message>
         <source>two rows at least are needed</source>
@@ -4784,7 +4792,7 @@
     </message>
     <message>
         <source>epoch = {0}: expected ISO 8601, as 2026-01-01T00:00:00</source>
-        <translation>epoch = {0} : ISO 8601 attendu, comme 2026-01-01T00:00:00</translation>
+        <translation>epoch = {0}&#xa0;: ISO 8601 attendu, comme 2026-01-01T00:00:00</translation>
     </message>
     <message>
         <source>the run has no channel {0}, which {1} rests on</source>
@@ -4800,7 +4808,7 @@
     </message>
     <message>
         <source>a table, or a file: labcal.bench.specification</source>
-        <translation>une table, ou un fichier : labcal.bench.specification</translation>
+        <translation>une table, ou un fichier&#xa0;: labcal.bench.specification</translation>
     </message>
     <message>
         <source>after a ramp, before the field is believed</source>
@@ -4824,7 +4832,7 @@
     </message>
     <message>
         <source>at the cage: its number here, or an address</source>
-        <translation>à la cage : son numéro ici, ou une adresse</translation>
+        <translation>à la cage&#xa0;: son numéro ici, ou une adresse</translation>
     </message>
     <message>
         <source>at which it holds</source>
@@ -4852,7 +4860,7 @@
     </message>
     <message>
         <source>of its locks and sockets; /run/labcal-GROUP</source>
-        <translation>de ses verrous et sockets ; /run/labcal-GROUP</translation>
+        <translation>de ses verrous et sockets&#xa0;; /run/labcal-GROUP</translation>
     </message>
     <message>
         <source>of one axis of one sample</source>
@@ -4884,11 +4892,11 @@
     </message>
     <message>
         <source>root mean square over `rms_window_s`: what the wire bears for ever</source>
-        <translation>valeur efficace sur `rms_window_s` : ce que le fil supporte pour toujours</translation>
+        <translation>valeur efficace sur `rms_window_s`&#xa0;: ce que le fil supporte pour toujours</translation>
     </message>
     <message>
         <source>what is known of it and not corrected; each with its own uncertainty</source>
-        <translation>ce qu&apos;on en sait et ne corrige pas ; chacun avec sa propre incertitude</translation>
+        <translation>ce qu&apos;on en sait et ne corrige pas&#xa0;; chacun avec sa propre incertitude</translation>
     </message>
     <message>
         <source>with the coils at zero, of any component along any direction</source>
@@ -4920,23 +4928,23 @@
     </message>
     <message>
         <source>turns between {0} and {1}°, the fastest at {2} °/s; the platform&apos;s limit is {3} °/s</source>
-        <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s ; la limite du plateau est {3} °/s</translation>
+        <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s&#xa0;; la limite du plateau est {3} °/s</translation>
     </message>
     <message>
         <source>turns between {0} and {1}°, the fastest at {2} °/s; the DUT&apos;s limit in bench.toml is {3} °/s</source>
-        <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s ; la limite du DUT dans bench.toml est {3} °/s</translation>
+        <translation>tourne entre {0} et {1}°, au plus vite à {2} °/s&#xa0;; la limite du DUT dans bench.toml est {3} °/s</translation>
     </message>
     <message>
         <source>what a person is asked, {0}× in all:</source>
-        <translation>ce qui est demandé à une personne, {0}× en tout :</translation>
+        <translation>ce qui est demandé à une personne, {0}× en tout&#xa0;:</translation>
     </message>
     <message>
         <source>DUT {0} axis: angle off its direction</source>
-        <translation>DUT, axe {0} : angle avec sa direction</translation>
+        <translation>DUT, axe {0}&#xa0;: angle avec sa direction</translation>
     </message>
     <message>
         <source>reference {0} axis: angle off its direction</source>
-        <translation>référence, axe {0} : angle avec sa direction</translation>
+        <translation>référence, axe {0}&#xa0;: angle avec sa direction</translation>
     </message>
     <message>
         <source>mounting and zero</source>
@@ -5008,7 +5016,7 @@
     </message>
     <message>
         <source>axes-check: {0}. Mount it again where it is not mounted as asked; else look at its axes.</source>
-        <translation>contrôle des axes : {0}. Remontez-le s’il n’est pas monté comme demandé ; sinon, regardez ses axes.</translation>
+        <translation>contrôle des axes&#xa0;: {0}. Remontez-le s’il n’est pas monté comme demandé&#xa0;; sinon, regardez ses axes.</translation>
     </message>
     <message>
         <source>DUT kept within {0} to {1} °C</source>
@@ -5024,15 +5032,15 @@
     </message>
     <message>
         <source>{0}: missing sectors</source>
-        <translation>{0} : secteurs manquants</translation>
+        <translation>{0}&#xa0;: secteurs manquants</translation>
     </message>
     <message>
         <source>{0}: noise</source>
-        <translation>{0} : bruit</translation>
+        <translation>{0}&#xa0;: bruit</translation>
     </message>
     <message>
         <source>{0}: wrong signs</source>
-        <translation>{0} : signes faux</translation>
+        <translation>{0}&#xa0;: signes faux</translation>
     </message>
     <message>
         <source>delay {0}</source>
@@ -5048,11 +5056,11 @@
     </message>
     <message>
         <source>zero: {0}</source>
-        <translation>zéro : {0}</translation>
+        <translation>zéro&#xa0;: {0}</translation>
     </message>
     <message>
         <source>closing: {0}</source>
-        <translation>clôture : {0}</translation>
+        <translation>clôture&#xa0;: {0}</translation>
     </message>
     <message>
         <source>zero since the interruption</source>
@@ -5128,19 +5136,19 @@
     </message>
     <message>
         <source>{0}: uncertainty of the matrix</source>
-        <translation>{0} : incertitude de la matrice</translation>
+        <translation>{0}&#xa0;: incertitude de la matrice</translation>
     </message>
     <message>
         <source>{0}: settling time</source>
-        <translation>{0} : temps d&apos;établissement</translation>
+        <translation>{0}&#xa0;: temps d&apos;établissement</translation>
     </message>
     <message>
         <source>{0}: departure from the line</source>
-        <translation>{0} : écart à la droite</translation>
+        <translation>{0}&#xa0;: écart à la droite</translation>
     </message>
     <message>
         <source>{0}: up less down</source>
-        <translation>{0} : montée moins descente</translation>
+        <translation>{0}&#xa0;: montée moins descente</translation>
     </message>
     <message>
         <source>departure from the line</source>
@@ -5160,7 +5168,7 @@
     </message>
     <message>
         <source>{0}: bias {1}</source>
-        <translation>{0} : biais {1}</translation>
+        <translation>{0}&#xa0;: biais {1}</translation>
     </message>
     <message>
         <source>change of the ambient field</source>
@@ -5196,15 +5204,15 @@
     </message>
     <message>
         <source>verify: rms error with bench.toml&apos;s matrix</source>
-        <translation>vérification : erreur rms avec la matrice de bench.toml</translation>
+        <translation>vérification&#xa0;: erreur rms avec la matrice de bench.toml</translation>
     </message>
     <message>
         <source>verify: rms error</source>
-        <translation>vérification : erreur rms</translation>
+        <translation>vérification&#xa0;: erreur rms</translation>
     </message>
     <message>
         <source>verify: largest error in units of U by noise</source>
-        <translation>vérification : plus grande erreur en unités de U par le bruit</translation>
+        <translation>vérification&#xa0;: plus grande erreur en unités de U par le bruit</translation>
     </message>
     <message>
         <source>rms tracking error</source>
@@ -5228,15 +5236,15 @@
     </message>
     <message>
         <source>reference from DUT: {0}</source>
-        <translation>référence vue du DUT : {0}</translation>
+        <translation>référence vue du DUT&#xa0;: {0}</translation>
     </message>
     <message>
         <source>less what is stated: {0}</source>
-        <translation>moins ce qui est indiqué : {0}</translation>
+        <translation>moins ce qui est indiqué&#xa0;: {0}</translation>
     </message>
     <message>
         <source>coil {0}: field at the reference over that at the DUT</source>
-        <translation>bobine {0} : champ à la référence sur celui au DUT</translation>
+        <translation>bobine {0}&#xa0;: champ à la référence sur celui au DUT</translation>
     </message>
     <message>
         <source>once a turn</source>
@@ -5304,11 +5312,11 @@
     </message>
     <message>
         <source>{0}: polarity + less −</source>
-        <translation>{0} : polarité + moins −</translation>
+        <translation>{0}&#xa0;: polarité + moins −</translation>
     </message>
     <message>
         <source>DUT: change from bench.toml</source>
-        <translation>DUT : changement depuis bench.toml</translation>
+        <translation>DUT&#xa0;: changement depuis bench.toml</translation>
     </message>
     <message>
         <source>axes-check</source>
@@ -5464,39 +5472,39 @@
     </message>
     <message>
         <source>the supplies state {0} A, and the reference does not see that: {1}.</source>
-        <translation>Les alimentations annoncent {0} A, et la référence ne le voit pas : {1}.</translation>
+        <translation>Les alimentations annoncent {0} A, et la référence ne le voit pas&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>Does every supply obey, are signs and constants right, was something magnetic moved? axes-check tells which coil it is.</source>
-        <translation>Chaque alimentation obéit-elle, signes et constantes sont-ils justes, un objet magnétique a-t-il bougé ? axes-check dit quelle bobine c&apos;est.</translation>
+        <translation>Chaque alimentation obéit-elle, signes et constantes sont-ils justes, un objet magnétique a-t-il bougé&#xa0;? axes-check dit quelle bobine c&apos;est.</translation>
     </message>
     <message>
         <source>Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why before it is cleared.</source>
-        <translation>Sa sortie s&apos;est-elle coupée d&apos;elle-même, l&apos;enroulement est-il ouvert ? Couper les bobines, regarder sa face avant, et trouver la cause avant de réarmer.</translation>
+        <translation>Sa sortie s&apos;est-elle coupée d&apos;elle-même, l&apos;enroulement est-il ouvert&#xa0;? Couper les bobines, regarder sa face avant, et trouver la cause avant de réarmer.</translation>
     </message>
     <message>
         <source>a field of {0} nT is beyond the limit of {1}, {2} nT; nothing was set.</source>
-        <translation>Un champ de {0} nT dépasse la limite de {1}, {2} nT ; rien n&apos;a été réglé.</translation>
+        <translation>Un champ de {0} nT dépasse la limite de {1}, {2} nT&#xa0;; rien n&apos;a été réglé.</translation>
     </message>
     <message>
         <source>coil {0}: {1} A would take {2} s to ramp down, more than {3} s; lower current_A or raise ramp_A_per_s.</source>
-        <translation>bobine {0} : {1} A mettraient {2} s à redescendre, plus que {3} s ; baisser current_A ou augmenter ramp_A_per_s.</translation>
+        <translation>bobine {0}&#xa0;: {1} A mettraient {2} s à redescendre, plus que {3} s&#xa0;; baisser current_A ou augmenter ramp_A_per_s.</translation>
     </message>
     <message>
         <source>{0}, at {1}: {2}. Nothing was set.</source>
-        <translation>{0}, à {1} : {2}. Rien n&apos;a été réglé.</translation>
+        <translation>{0}, à {1}&#xa0;: {2}. Rien n&apos;a été réglé.</translation>
     </message>
     <message>
         <source>{0}, then measure again: `labcal bench check FILE` lifts this where reference and supplies agree, with --clear-as NAME where a person answers for it.</source>
-        <translation>{0}, puis mesurer de nouveau : `labcal bench check FILE` lève ceci où référence et alimentations s&apos;accordent, avec --clear-as NAME où une personne en répond.</translation>
+        <translation>{0}, puis mesurer de nouveau&#xa0;: `labcal bench check FILE` lève ceci où référence et alimentations s&apos;accordent, avec --clear-as NAME où une personne en répond.</translation>
     </message>
     <message>
         <source>coil {0}: {1} A still flows after zero was set; the contacts were not moved.</source>
-        <translation>bobine {0} : {1} A passent encore après la mise à zéro ; les contacts n&apos;ont pas bougé.</translation>
+        <translation>bobine {0}&#xa0;: {1} A passent encore après la mise à zéro&#xa0;; les contacts n&apos;ont pas bougé.</translation>
     </message>
     <message>
         <source>coil {0}: after its contacts were set, a step of {1} A was seen by the reference as {2} A.</source>
-        <translation>bobine {0} : après le réglage de ses contacts, un pas de {1} A a été vu par la référence comme {2} A.</translation>
+        <translation>bobine {0}&#xa0;: après le réglage de ses contacts, un pas de {1} A a été vu par la référence comme {2} A.</translation>
     </message>
     <message>
         <source>Look for a contact that hangs or is welded, then run axes-check.</source>
@@ -5504,11 +5512,11 @@
     </message>
     <message>
         <source>coil {0}: {1} A root mean square would soon be reached, its limit is {2} A; nothing was set.</source>
-        <translation>bobine {0} : {1} A efficaces seraient bientôt atteints, sa limite est {2} A ; rien n&apos;a été réglé.</translation>
+        <translation>bobine {0}&#xa0;: {1} A efficaces seraient bientôt atteints, sa limite est {2} A&#xa0;; rien n&apos;a été réglé.</translation>
     </message>
     <message>
         <source>coil {0}: {1} A still flows {2} s after zero was set (zero is below {3} A).</source>
-        <translation>bobine {0} : {1} A passent encore {2} s après la mise à zéro (zéro est sous {3} A).</translation>
+        <translation>bobine {0}&#xa0;: {1} A passent encore {2} s après la mise à zéro (zéro est sous {3} A).</translation>
     </message>
     <message>
         <source>Switch {0} off by hand, then look at its panel.</source>
@@ -5520,11 +5528,11 @@
     </message>
     <message>
         <source>{0}: it stopped {1}° from its target of {2}°.</source>
-        <translation>{0} : arrêté à {1}° de sa cible de {2}°.</translation>
+        <translation>{0}&#xa0;: arrêté à {1}° de sa cible de {2}°.</translation>
     </message>
     <message>
         <source>{0}: it homes at {1} deg/s, the DUT&apos;s limit is {2} deg/s; nothing was moved.</source>
-        <translation>{0} : prend son origine à {1} deg/s, la limite du DUT est {2} deg/s ; rien n&apos;a bougé.</translation>
+        <translation>{0}&#xa0;: prend son origine à {1} deg/s, la limite du DUT est {2} deg/s&#xa0;; rien n&apos;a bougé.</translation>
     </message>
     <message>
         <source>Lower the homing speed on the stage itself, or take the DUT off and home it with its own program.</source>
@@ -5532,7 +5540,7 @@
     </message>
     <message>
         <source>{0}: {1} answers, before it was {2}.</source>
-        <translation>{0} : {1} répond, avant c&apos;était {2}.</translation>
+        <translation>{0}&#xa0;: {1} répond, avant c&apos;était {2}.</translation>
     </message>
     <message>
         <source>Plug the instruments in as bench.toml says, and begin again.</source>
@@ -5540,11 +5548,11 @@
     </message>
     <message>
         <source>{0}: its name came damaged ({1}).</source>
-        <translation>{0} : son nom est arrivé abîmé ({1}).</translation>
+        <translation>{0}&#xa0;: son nom est arrivé abîmé ({1}).</translation>
     </message>
     <message>
         <source>{0}: {1} answers here and as {2}: the same instrument answers on both links.</source>
-        <translation>{0} : {1} répond ici et comme {2} : le même instrument répond sur les deux liaisons.</translation>
+        <translation>{0}&#xa0;: {1} répond ici et comme {2}&#xa0;: le même instrument répond sur les deux liaisons.</translation>
     </message>
     <message>
         <source>Correct the links in bench.toml, then begin again.</source>
@@ -5552,7 +5560,7 @@
     </message>
     <message>
         <source>{0}: {1} was set to {2} and reads back {3}.</source>
-        <translation>{0} : {1} a été mis à {2} et se relit {3}.</translation>
+        <translation>{0}&#xa0;: {1} a été mis à {2} et se relit {3}.</translation>
     </message>
     <message>
         <source>Look at the instrument&apos;s panel.</source>
@@ -5560,11 +5568,11 @@
     </message>
     <message>
         <source>{0}: {1} came back as {2}.</source>
-        <translation>{0} : {1} est revenu comme {2}.</translation>
+        <translation>{0}&#xa0;: {1} est revenu comme {2}.</translation>
     </message>
     <message>
         <source>{0}: the guardian is gone ({1}); how the coils are is not known.</source>
-        <translation>{0} : le gardien n&apos;est plus là ({1}) ; l&apos;état des bobines n&apos;est pas connu.</translation>
+        <translation>{0}&#xa0;: le gardien n&apos;est plus là ({1})&#xa0;; l&apos;état des bobines n&apos;est pas connu.</translation>
     </message>
     <message>
         <source>Say `labcal bench off`, then try again.</source>
@@ -5572,31 +5580,31 @@
     </message>
     <message>
         <source>another user&apos;s process answers as the guardian of this bench; it is not believed.</source>
-        <translation>un processus d&apos;un autre utilisateur répond comme gardien de ce banc ; on ne le croit pas.</translation>
+        <translation>un processus d&apos;un autre utilisateur répond comme gardien de ce banc&#xa0;; on ne le croit pas.</translation>
     </message>
     <message>
         <source>guardian.log names its process: end it, then say off again.</source>
-        <translation>guardian.log nomme son processus : le terminer, puis couper de nouveau.</translation>
+        <translation>guardian.log nomme son processus&#xa0;: le terminer, puis couper de nouveau.</translation>
     </message>
     <message>
         <source>coil {0}: the guardian before is gone; it had ordered zero and reported no read-back.</source>
-        <translation>bobine {0} : le gardien précédent n&apos;est plus là ; il avait ordonné zéro et n&apos;a annoncé aucune relecture.</translation>
+        <translation>bobine {0}&#xa0;: le gardien précédent n&apos;est plus là&#xa0;; il avait ordonné zéro et n&apos;a annoncé aucune relecture.</translation>
     </message>
     <message>
         <source>coil {0}: zero has not been read back.</source>
-        <translation>bobine {0} : le zéro n&apos;a pas été relu.</translation>
+        <translation>bobine {0}&#xa0;: le zéro n&apos;a pas été relu.</translation>
     </message>
     <message>
         <source>coil {0}: a step of {1} A is beyond the {2} A that its ramp of {3} A/s allows now; nothing was set.</source>
-        <translation>bobine {0} : un pas de {1} A dépasse les {2} A que sa rampe de {3} A/s permet maintenant ; rien n&apos;a été réglé.</translation>
+        <translation>bobine {0}&#xa0;: un pas de {1} A dépasse les {2} A que sa rampe de {3} A/s permet maintenant&#xa0;; rien n&apos;a été réglé.</translation>
     </message>
     <message>
         <source>coil {0}: {1} A still flows; its output is not opened under current.</source>
-        <translation>bobine {0} : {1} A passent encore ; sa sortie ne s&apos;ouvre pas sous courant.</translation>
+        <translation>bobine {0}&#xa0;: {1} A passent encore&#xa0;; sa sortie ne s&apos;ouvre pas sous courant.</translation>
     </message>
     <message>
         <source>Ramp it to zero first; or `labcal bench off`.</source>
-        <translation>La mener d&apos;abord à zéro ; ou COILS OFF (`labcal bench off`).</translation>
+        <translation>La mener d&apos;abord à zéro&#xa0;; ou COILS OFF (`labcal bench off`).</translation>
     </message>
     <message>
         <source>it did not answer in the time that there is on the way to zero.</source>
@@ -5608,55 +5616,55 @@
     </message>
     <message>
         <source>{0} A was not sent: this coil was ordered to zero, and {1} A is the most that it may still hear.</source>
-        <translation>{0} A n&apos;ont pas été envoyés : le zéro est ordonné pour cette bobine, et {1} A est le plus qu&apos;elle puisse encore recevoir.</translation>
+        <translation>{0} A n&apos;ont pas été envoyés&#xa0;: le zéro est ordonné pour cette bobine, et {1} A est le plus qu&apos;elle puisse encore recevoir.</translation>
     </message>
     <message>
         <source>{0}: its output was not closed: this coil was ordered to zero.</source>
-        <translation>{0} : sa sortie n&apos;a pas été fermée : le zéro est ordonné pour cette bobine.</translation>
+        <translation>{0}&#xa0;: sa sortie n&apos;a pas été fermée&#xa0;: le zéro est ordonné pour cette bobine.</translation>
     </message>
     <message>
         <source>a field of {0} nT of the coils alone is beyond the limit of {1} nT, Earth&apos;s {2} nT taken off; nothing was set.</source>
-        <translation>un champ de {0} nT des seules bobines dépasse la limite de {1} nT, les {2} nT de la Terre déduits ; rien n&apos;a été réglé.</translation>
+        <translation>un champ de {0} nT des seules bobines dépasse la limite de {1} nT, les {2} nT de la Terre déduits&#xa0;; rien n&apos;a été réglé.</translation>
     </message>
     <message>
         <source>the cage&apos;s calibration is not there: no field is set by it; nothing was set.</source>
-        <translation>l&apos;étalonnage de la cage n&apos;est pas là : aucun champ n&apos;est réglé d&apos;après lui ; rien n&apos;a été réglé.</translation>
+        <translation>l&apos;étalonnage de la cage n&apos;est pas là&#xa0;: aucun champ n&apos;est réglé d&apos;après lui&#xa0;; rien n&apos;a été réglé.</translation>
     </message>
     <message>
         <source>not reached: {0}.</source>
-        <translation>non atteint : {0}.</translation>
+        <translation>non atteint&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>{0}: {1} failed ({2}); its port is there.</source>
-        <translation>{0} : {1} a échoué ({2}) ; son port est là.</translation>
+        <translation>{0}&#xa0;: {1} a échoué ({2})&#xa0;; son port est là.</translation>
     </message>
     <message>
         <source>{0}: {1} was sent and {2} came back.</source>
-        <translation>{0} : {1} a été envoyé et {2} est revenu.</translation>
+        <translation>{0}&#xa0;: {1} a été envoyé et {2} est revenu.</translation>
     </message>
     <message>
         <source>Do two talk on this line at once? Without an adapter that echoes, take echo=1 out of the link.</source>
-        <translation>Deux parlent-ils à la fois sur cette ligne ? Sans adaptateur à écho, retirer echo=1 de la liaison.</translation>
+        <translation>Deux parlent-ils à la fois sur cette ligne&#xa0;? Sans adaptateur à écho, retirer echo=1 de la liaison.</translation>
     </message>
     <message>
         <source>{0}: it babbles: more than {1} KiB came without an end, beginning with {2}.</source>
-        <translation>{0} : il parle sans fin : plus de {1} Kio sont venus sans terminaison, commençant par {2}.</translation>
+        <translation>{0}&#xa0;: il parle sans fin&#xa0;: plus de {1} Kio sont venus sans terminaison, commençant par {2}.</translation>
     </message>
     <message>
         <source>Is it the instrument that bench.toml names? Pull its cable and plug it in again, or switch it off.</source>
-        <translation>Est-ce l&apos;instrument que nomme bench.toml ? Débrancher et rebrancher son câble, ou l&apos;éteindre.</translation>
+        <translation>Est-ce l&apos;instrument que nomme bench.toml&#xa0;? Débrancher et rebrancher son câble, ou l&apos;éteindre.</translation>
     </message>
     <message>
         <source>{0}: {1} registers came where {2} were asked for.</source>
-        <translation>{0} : {1} registres sont venus pour {2} demandés.</translation>
+        <translation>{0}&#xa0;: {1} registres sont venus pour {2} demandés.</translation>
     </message>
     <message>
         <source>{0}: no valid Modbus reply.</source>
-        <translation>{0} : pas de réponse Modbus valable.</translation>
+        <translation>{0}&#xa0;: pas de réponse Modbus valable.</translation>
     </message>
     <message>
         <source>{0}: does not answer as it should.</source>
-        <translation>{0} : ne répond pas comme il le devrait.</translation>
+        <translation>{0}&#xa0;: ne répond pas comme il le devrait.</translation>
     </message>
     <message>
         <source>does not answer as it should.</source>
@@ -5664,11 +5672,11 @@
     </message>
     <message>
         <source>{0}: the reply belongs to another request.</source>
-        <translation>{0} : la réponse appartient à une autre demande.</translation>
+        <translation>{0}&#xa0;: la réponse appartient à une autre demande.</translation>
     </message>
     <message>
         <source>{0}: a program of user {1} is connected to it.</source>
-        <translation>{0} : un programme de l&apos;utilisateur {1} y est connecté.</translation>
+        <translation>{0}&#xa0;: un programme de l&apos;utilisateur {1} y est connecté.</translation>
     </message>
     <message>
         <source>Ask user {0} to end it, then try again.</source>
@@ -5684,11 +5692,11 @@
     </message>
     <message>
         <source>End it, or the session that drives this bench; `labcal bench off` brings its coils to zero meanwhile.</source>
-        <translation>Le terminer, ou la session qui pilote ce banc ; COILS OFF (`labcal bench off`) ramène entre-temps ses bobines à zéro.</translation>
+        <translation>Le terminer, ou la session qui pilote ce banc&#xa0;; COILS OFF (`labcal bench off`) ramène entre-temps ses bobines à zéro.</translation>
     </message>
     <message>
         <source>Try again; if it comes again, look at its cable and its adapter.</source>
-        <translation>Réessayer ; si cela revient, regarder son câble et son adaptateur.</translation>
+        <translation>Réessayer&#xa0;; si cela revient, regarder son câble et son adaptateur.</translation>
     </message>
     <message>
         <source>returned no data</source>
@@ -5700,11 +5708,11 @@
     </message>
     <message>
         <source>{0}: {1}° is beyond the ±{2}° of the cables; nothing was sent.</source>
-        <translation>{0} : {1}° dépassent les ±{2}° des câbles ; rien n&apos;a été envoyé.</translation>
+        <translation>{0}&#xa0;: {1}° dépassent les ±{2}° des câbles&#xa0;; rien n&apos;a été envoyé.</translation>
     </message>
     <message>
         <source>{0}: another process has this port.</source>
-        <translation>{0} : un autre processus a ce port.</translation>
+        <translation>{0}&#xa0;: un autre processus a ce port.</translation>
     </message>
     <message>
         <source>Check that the dial&apos;s reading is entered after each turn.</source>
@@ -5712,15 +5720,15 @@
     </message>
     <message>
         <source>{0} deg/s is too fast: DUT and platform allow {1} deg/s</source>
-        <translation>{0} deg/s est trop rapide : DUT et plateforme permettent {1} deg/s</translation>
+        <translation>{0} deg/s est trop rapide&#xa0;: DUT et plateforme permettent {1} deg/s</translation>
     </message>
     <message>
         <source>{0} deg/s is beyond the DUT&apos;s limit of {1} deg/s; nothing was moved.</source>
-        <translation>{0} deg/s dépasse la limite du DUT de {1} deg/s ; rien n&apos;a bougé.</translation>
+        <translation>{0} deg/s dépasse la limite du DUT de {1} deg/s&#xa0;; rien n&apos;a bougé.</translation>
     </message>
     <message>
         <source>the system gives this process no more ({0}); how the coils are is not known.</source>
-        <translation>le système ne donne plus rien à ce processus ({0}) ; l&apos;état des bobines n&apos;est pas connu.</translation>
+        <translation>le système ne donne plus rien à ce processus ({0})&#xa0;; l&apos;état des bobines n&apos;est pas connu.</translation>
     </message>
     <message>
         <source>Switch the supplies off by hand, or say off again in a new terminal.</source>
@@ -5740,23 +5748,23 @@
     </message>
     <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
-        <translation>le banc porte {0}, la mesure est de {1} : rien n&apos;a bougé</translation>
+        <translation>le banc porte {0}, la mesure est de {1}&#xa0;: rien n&apos;a bougé</translation>
     </message>
     <message>
         <source>taking to zero from here what no guardian holds: not read back yet …</source>
-        <translation>ce qu&apos;aucun gardien ne tient est mené à zéro d&apos;ici : pas encore relu …</translation>
+        <translation>ce qu&apos;aucun gardien ne tient est mené à zéro d&apos;ici&#xa0;: pas encore relu …</translation>
     </message>
     <message>
         <source>before that: {0}</source>
-        <translation>avant cela : {0}</translation>
+        <translation>avant cela&#xa0;: {0}</translation>
     </message>
     <message>
         <source>not asked this time; {0} s ago: {1}</source>
-        <translation>pas demandé cette fois ; il y a {0} s : {1}</translation>
+        <translation>pas demandé cette fois&#xa0;; il y a {0} s&#xa0;: {1}</translation>
     </message>
     <message>
         <source>NOT confirmed at zero: {0}</source>
-        <translation>zéro NON confirmé : {0}</translation>
+        <translation>zéro NON confirmé&#xa0;: {0}</translation>
     </message>
     <message>
         <source>zero of coil {0} is not confirmed, and tried again</source>
@@ -5764,15 +5772,15 @@
     </message>
     <message>
         <source>supplies and reference agree again, {0}: {1}</source>
-        <translation>alimentations et référence s&apos;accordent de nouveau, {0} : {1}</translation>
+        <translation>alimentations et référence s&apos;accordent de nouveau, {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>the connection to the guardian was lost; {0}.</source>
-        <translation>la liaison avec le gardien a été perdue ; {0}.</translation>
+        <translation>la liaison avec le gardien a été perdue&#xa0;; {0}.</translation>
     </message>
     <message>
         <source>last read before that (UTC): {0}</source>
-        <translation>lu en dernier avant cela (UTC) : {0}</translation>
+        <translation>lu en dernier avant cela (UTC)&#xa0;: {0}</translation>
     </message>
     <message>
         <source>no current was read through it</source>
@@ -5800,7 +5808,7 @@
     </message>
     <message>
         <source>It is as if {0} A flowed in coil {1}: {2}</source>
-        <translation>C&apos;est comme si {0} A passaient dans la bobine {1} : {2}</translation>
+        <translation>C&apos;est comme si {0} A passaient dans la bobine {1}&#xa0;: {2}</translation>
     </message>
     <message>
         <source>Let the DUT come back into its range.</source>
@@ -5812,23 +5820,23 @@
     </message>
     <message>
         <source>{0}: it sends again, after {1} s</source>
-        <translation>{0} : émet de nouveau, après {1} s</translation>
+        <translation>{0}&#xa0;: émet de nouveau, après {1} s</translation>
     </message>
     <message>
         <source>{0}: no sample for {1} s</source>
-        <translation>{0} : aucun échantillon depuis {1} s</translation>
+        <translation>{0}&#xa0;: aucun échantillon depuis {1} s</translation>
     </message>
     <message>
         <source>{0}: no answer</source>
-        <translation>{0} : pas de réponse</translation>
+        <translation>{0}&#xa0;: pas de réponse</translation>
     </message>
     <message>
         <source>{0}: it answers again, {1} s after its loss was noticed</source>
-        <translation>{0} : répond de nouveau, {1} s après que sa perte a été remarquée</translation>
+        <translation>{0}&#xa0;: répond de nouveau, {1} s après que sa perte a été remarquée</translation>
     </message>
     <message>
         <source>{0}; every row is kept by now</source>
-        <translation>{0} ; chaque ligne est gardée maintenant</translation>
+        <translation>{0}&#xa0;; chaque ligne est gardée maintenant</translation>
     </message>
     <message>
         <source>{0}, kept by the store {1} s later</source>
@@ -5836,7 +5844,7 @@
     </message>
     <message>
         <source>{0}; {1} cannot be gone on with: start it anew</source>
-        <translation>{0} ; {1} ne peut pas être continué : recommencer</translation>
+        <translation>{0}&#xa0;; {1} ne peut pas être continué&#xa0;: recommencer</translation>
     </message>
     <message>
         <source>what was not committed is lost</source>
@@ -5848,11 +5856,11 @@
     </message>
     <message>
         <source>{0} s ago: {1}</source>
-        <translation>il y a {0} s : {1}</translation>
+        <translation>il y a {0} s&#xa0;: {1}</translation>
     </message>
     <message>
         <source>the guardian failed at {0}: {1}: {2}.</source>
-        <translation>le gardien a échoué à {0} : {1} : {2}.</translation>
+        <translation>le gardien a échoué à {0}&#xa0;: {1}&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>the connection to {0} was lost</source>
@@ -5868,11 +5876,11 @@
     </message>
     <message>
         <source>coil {0}: zero was ordered for all coils: {1}.</source>
-        <translation>bobine {0} : le zéro a été ordonné pour toutes les bobines : {1}.</translation>
+        <translation>bobine {0}&#xa0;: le zéro a été ordonné pour toutes les bobines&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>zero was ordered; what was being asked of this line was given up.</source>
-        <translation>le zéro a été ordonné ; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
+        <translation>le zéro a été ordonné&#xa0;; ce qu&apos;on demandait sur cette ligne a été abandonné.</translation>
     </message>
     <message>
         <source>The work was ended by this window.</source>
@@ -5900,7 +5908,7 @@
     </message>
     <message>
         <source>labcal itself made a mistake here; the details hold what it says of it.</source>
-        <translation>labcal lui-même a fait une erreur ici ; ce qu’il en dit se trouve dans les détails.</translation>
+        <translation>labcal lui-même a fait une erreur ici&#xa0;; ce qu’il en dit se trouve dans les détails.</translation>
     </message>
     <message>
         <source>no run goes on here that could be come back to</source>
@@ -6038,7 +6046,7 @@
     </message>
     <message>
         <source>▲ Supplies of an earlier session do not answer: {0}</source>
-        <translation>▲ Des alimentations d’une session antérieure ne répondent pas : {0}</translation>
+        <translation>▲ Des alimentations d’une session antérieure ne répondent pas&#xa0;: {0}</translation>
     </message>
     <message>
         <source>If one of them stands somewhere still, switch it off by hand, then press COILS OFF (F12).</source>
@@ -6050,11 +6058,11 @@
     </message>
     <message>
         <source>✕ Supplies of an earlier session are not at zero: {0}</source>
-        <translation>✕ Des alimentations d’une session antérieure ne sont pas à zéro : {0}</translation>
+        <translation>✕ Des alimentations d’une session antérieure ne sont pas à zéro&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Nothing is at their links any more: they are asked for no more, and the audit log has your name</source>
-        <translation>Plus rien n’est sur leurs liaisons : elles ne sont plus interrogées, et le journal d’audit porte votre nom</translation>
+        <translation>Plus rien n’est sur leurs liaisons&#xa0;: elles ne sont plus interrogées, et le journal d’audit porte votre nom</translation>
     </message>
     <message>
         <source>Type the operator&apos;s name at the top.</source>
@@ -6065,11 +6073,11 @@
     <name>EarlierSupplies</name>
     <message>
         <source>a supply of an earlier session is not at zero: {0}</source>
-        <translation>une alimentation d’une session antérieure n’est pas à zéro : {0}</translation>
+        <translation>une alimentation d’une session antérieure n’est pas à zéro&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0}: gone, says {1}; it is kept in the audit log</source>
-        <translation>{0} : plus là, selon {1} ; c&apos;est gardé dans le journal d’audit</translation>
+        <translation>{0}&#xa0;: plus là, selon {1}&#xa0;; c&apos;est gardé dans le journal d’audit</translation>
     </message>
 </context>
 <context>
@@ -6100,7 +6108,7 @@
     </message>
     <message>
         <source>Coils to zero, then what the reference sees; nothing is energised</source>
-        <translation>Bobines à zéro, puis ce que voit la référence ; rien n’est mis sous courant</translation>
+        <translation>Bobines à zéro, puis ce que voit la référence&#xa0;; rien n’est mis sous courant</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6112,7 +6120,7 @@
     </message>
     <message>
         <source>For who mends labcal; a problem report holds it:</source>
-        <translation>Pour qui répare labcal ; un rapport de problème le contient :</translation>
+        <translation>Pour qui répare labcal&#xa0;; un rapport de problème le contient&#xa0;:</translation>
     </message>
 </context>
 <context>
@@ -6139,7 +6147,7 @@
     </message>
     <message>
         <source>End what is being computed; what is done stays</source>
-        <translation>Arrêter ce qui se calcule ; ce qui est fait reste</translation>
+        <translation>Arrêter ce qui se calcule&#xa0;; ce qui est fait reste</translation>
     </message>
     <message>
         <source>Make a draft</source>
@@ -6155,7 +6163,7 @@
     </message>
     <message>
         <source>Find what causes what is left over: the Loop page</source>
-        <translation>Trouver d&apos;où vient ce qui reste : page Causes</translation>
+        <translation>Trouver d&apos;où vient ce qui reste&#xa0;: page Causes</translation>
     </message>
     <message>
         <source>Methods side by side</source>
@@ -6187,7 +6195,7 @@
     </message>
     <message>
         <source>computing: {0}</source>
-        <translation>calcul : {0}</translation>
+        <translation>calcul&#xa0;: {0}</translation>
     </message>
     <message>
         <source>See what was found</source>
@@ -6195,11 +6203,15 @@
     </message>
     <message>
         <source>Pictures and the figures of each method are not kept: Fit works them out again, side by side.</source>
-        <translation>Les images et les chiffres de chaque méthode ne sont pas gardés : Ajuster les recalcule, côte à côte.</translation>
+        <translation>Les images et les chiffres de chaque méthode ne sont pas gardés&#xa0;: Ajuster les recalcule, côte à côte.</translation>
     </message>
     <message>
-        <source>Fit estimates K and k; All methods compares eleven ways.</source>
-        <translation>Ajuster estime K et k ; Toutes compare onze voies.</translation>
+        <source>Fit finds what turns a reading into field: the gains K and the offset k of the sensor. All methods compares eleven ways.</source>
+        <translation>Ajuster trouve ce qui fait d&apos;une lecture un champ&#xa0;: les gains K et le décalage k du capteur. Toutes compare onze voies.</translation>
+    </message>
+    <message>
+        <source>b = K m − k: the field b [nT] of the reading m. K are nine gains, a row for each axis of the field; k is the offset [nT].</source>
+        <translation>b = K m − k&#xa0;: le champ b [nT] de la lecture m. K, ce sont neuf gains, une ligne par axe du champ&#xa0;; k est le décalage [nT].</translation>
     </message>
     <message>
         <source>The first method takes some seconds.</source>
@@ -6278,7 +6290,7 @@
     </message>
     <message>
         <source>grey: as read   strong: calibrated   faint: behind the sphere</source>
-        <translation>gris : tel que lu   soutenu : étalonné   pâle : derrière la sphère</translation>
+        <translation>gris&#xa0;: tel que lu   soutenu&#xa0;: étalonné   pâle&#xa0;: derrière la sphère</translation>
     </message>
     <message>
         <source>the ekf, or the filter that is chosen above</source>
@@ -6286,23 +6298,23 @@
     </message>
     <message>
         <source>lines: what scatter alone gives   2: products of two components   3: a cubic</source>
-        <translation>lignes : ce que donne la dispersion seule   2 : produits de deux composantes   3 : cubique</translation>
+        <translation>lignes&#xa0;: ce que donne la dispersion seule   2&#xa0;: produits de deux composantes   3&#xa0;: cubique</translation>
     </message>
     <message>
         <source>band: the noise that this method makes of its own residual, k=2; none is stated</source>
-        <translation>bande : le bruit que cette méthode tire de son propre résidu, k=2 ; aucun n&apos;est indiqué</translation>
+        <translation>bande&#xa0;: le bruit que cette méthode tire de son propre résidu, k=2&#xa0;; aucun n&apos;est indiqué</translation>
     </message>
     <message>
         <source>band: the stated noise of |b|, k=2</source>
-        <translation>bande : le bruit indiqué de |b|, k=2</translation>
+        <translation>bande&#xa0;: le bruit indiqué de |b|, k=2</translation>
     </message>
     <message>
         <source>line: the noise that this method makes of its own residual; none is stated</source>
-        <translation>ligne : le bruit que cette méthode tire de son propre résidu ; aucun n&apos;est indiqué</translation>
+        <translation>ligne&#xa0;: le bruit que cette méthode tire de son propre résidu&#xa0;; aucun n&apos;est indiqué</translation>
     </message>
     <message>
         <source>line: the stated noise of |b|</source>
-        <translation>ligne : le bruit indiqué de |b|</translation>
+        <translation>ligne&#xa0;: le bruit indiqué de |b|</translation>
     </message>
     <message>
         <source>as read</source>
@@ -6325,7 +6337,7 @@
     </message>
     <message>
         <source>Next has just changed, and did nothing. It is now: {0}. Press it again.</source>
-        <translation>Suite vient de changer et n&apos;a rien fait. C&apos;est maintenant : {0}. Appuyer de nouveau.</translation>
+        <translation>Suite vient de changer et n&apos;a rien fait. C&apos;est maintenant&#xa0;: {0}. Appuyer de nouveau.</translation>
     </message>
     <message>
         <source>{0} (Ctrl+{1})</source>
@@ -6349,7 +6361,7 @@
     </message>
     <message>
         <source>Dark or light; until then as the system has it</source>
-        <translation>Sombre ou clair ; jusque-là comme le système</translation>
+        <translation>Sombre ou clair&#xa0;; jusque-là comme le système</translation>
     </message>
     <message>
         <source>Letters to be read from two metres, and back (F11)</source>
@@ -6361,19 +6373,19 @@
     </message>
     <message>
         <source>Until somebody logs in; COILS OFF works all the same</source>
-        <translation>Jusqu&apos;à ce que quelqu&apos;un s&apos;identifie ; BOBINES À ZÉRO marche quand même</translation>
+        <translation>Jusqu&apos;à ce que quelqu&apos;un s&apos;identifie&#xa0;; BOBINES À ZÉRO marche quand même</translation>
     </message>
     <message>
         <source>Two tones where you are needed, three where it is done; or neither</source>
-        <translation>Deux tons quand on a besoin de vous, trois quand c&apos;est fini ; ou aucun</translation>
+        <translation>Deux tons quand on a besoin de vous, trois quand c&apos;est fini&#xa0;; ou aucun</translation>
     </message>
     <message>
         <source>The window in this language; not while a run goes on</source>
-        <translation>La fenêtre dans cette langue ; pas pendant une mesure</translation>
+        <translation>La fenêtre dans cette langue&#xa0;; pas pendant une mesure</translation>
     </message>
     <message>
         <source>Next: {0}</source>
-        <translation>Suite : {0}</translation>
+        <translation>Suite&#xa0;: {0}</translation>
     </message>
     <message>
         <source>coils off, at any moment</source>
@@ -6381,11 +6393,11 @@
     </message>
     <message>
         <source>held for {0} s: the answer on the button of this key</source>
-        <translation>tenue {0} s : la réponse du bouton de cette touche</translation>
+        <translation>tenue {0} s&#xa0;: la réponse du bouton de cette touche</translation>
     </message>
     <message>
         <source>to the next field or button; Shift and Tab goes back, Space presses a button or picks a row, but no answer that mounts, energises or moves: its own key is held</source>
-        <translation>au champ ou bouton suivant ; Maj et Tab revient, Espace presse un bouton ou choisit une ligne, mais aucune réponse qui monte, alimente ou déplace : sa propre touche est maintenue</translation>
+        <translation>au champ ou bouton suivant&#xa0;; Maj et Tab revient, Espace presse un bouton ou choisit une ligne, mais aucune réponse qui monte, alimente ou déplace&#xa0;: sa propre touche est maintenue</translation>
     </message>
 </context>
 <context>
@@ -6396,7 +6408,7 @@
     </message>
     <message>
         <source>Going to zero; the window closes after that …</source>
-        <translation>Retour à zéro ; la fenêtre se ferme ensuite …</translation>
+        <translation>Retour à zéro&#xa0;; la fenêtre se ferme ensuite …</translation>
     </message>
     <message>
         <source>Stay</source>
@@ -6408,11 +6420,11 @@
     </message>
     <message>
         <source>HANDS OFF: not at zero yet. The window does not close by itself.</source>
-        <translation>MAINS LOIN : pas encore à zéro. La fenêtre ne se ferme pas d’elle-même.</translation>
+        <translation>MAINS LOIN&#xa0;: pas encore à zéro. La fenêtre ne se ferme pas d’elle-même.</translation>
     </message>
     <message>
         <source>The run has ended; the window closes.</source>
-        <translation>La mesure est terminée ; la fenêtre se ferme.</translation>
+        <translation>La mesure est terminée&#xa0;; la fenêtre se ferme.</translation>
     </message>
 </context>
 <context>
@@ -6427,7 +6439,7 @@
     </message>
     <message>
         <source>Several words narrow it down: EM-07 yesterday explained; or 22.11.2026</source>
-        <translation>Plusieurs mots précisent : EM-07 hier explained ; ou 22.11.2026</translation>
+        <translation>Plusieurs mots précisent&#xa0;: EM-07 hier explained&#xa0;; ou 22.11.2026</translation>
     </message>
     <message>
         <source>Open</source>
@@ -6435,7 +6447,7 @@
     </message>
     <message>
         <source>Look at this run on the Fit page; nothing recorded is ever changed</source>
-        <translation>Regarder cette mesure à la page Ajuster ; rien d&apos;enregistré ne change jamais</translation>
+        <translation>Regarder cette mesure à la page Ajuster&#xa0;; rien d&apos;enregistré ne change jamais</translation>
     </message>
     <message>
         <source>Export …</source>
@@ -6443,7 +6455,7 @@
     </message>
     <message>
         <source>As bundle, CSV, HDF5 or MATLAB file; of several runs a bundle each</source>
-        <translation>En paquet, CSV, HDF5 ou MATLAB ; de plusieurs mesures un paquet chacune</translation>
+        <translation>En paquet, CSV, HDF5 ou MATLAB&#xa0;; de plusieurs mesures un paquet chacune</translation>
     </message>
     <message>
         <source>Correct serial …</source>
@@ -6451,7 +6463,7 @@
     </message>
     <message>
         <source>The DUT was another one: an event of the record, until a calibration of the run is signed</source>
-        <translation>Le DUT était un autre : un événement de l&apos;enregistrement, jusqu&apos;à la signature d&apos;un étalonnage</translation>
+        <translation>Le DUT était un autre&#xa0;: un événement de l&apos;enregistrement, jusqu&apos;à la signature d&apos;un étalonnage</translation>
     </message>
     <message>
         <source>Import …</source>
@@ -6459,7 +6471,7 @@
     </message>
     <message>
         <source>A run bundle (.zip) or a recording of others; or drop the file on the window</source>
-        <translation>Un paquet de mesures (.zip) ou un enregistrement tiers ; ou déposez le fichier sur la fenêtre</translation>
+        <translation>Un paquet de mesures (.zip) ou un enregistrement tiers&#xa0;; ou déposez le fichier sur la fenêtre</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -6467,7 +6479,7 @@
     </message>
     <message>
         <source>Choose two runs (Ctrl and a click): their figures, residuals and loci</source>
-        <translation>Choisir deux mesures (Ctrl et un clic) : leurs valeurs, résidus et lieux</translation>
+        <translation>Choisir deux mesures (Ctrl et un clic)&#xa0;: leurs valeurs, résidus et lieux</translation>
     </message>
     <message>
         <source>No such run. A run from the Run page, or an imported bundle, comes up here.</source>
@@ -6479,7 +6491,7 @@
     </message>
     <message>
         <source>The bundle as it was pushed (.zip): import it on this computer to open it</source>
-        <translation>Le paquet tel qu’il fut envoyé (.zip) : l’importer sur cet ordinateur pour l’ouvrir</translation>
+        <translation>Le paquet tel qu’il fut envoyé (.zip)&#xa0;: l’importer sur cet ordinateur pour l’ouvrir</translation>
     </message>
     <message>
         <source>Runs of this computer, or those of all benches in the archive, which are only looked at</source>
@@ -6515,7 +6527,7 @@
     </message>
     <message>
         <source>Serial of the DUT of run {0}:</source>
-        <translation>Numéro de série du DUT de la mesure {0} :</translation>
+        <translation>Numéro de série du DUT de la mesure {0}&#xa0;:</translation>
     </message>
     <message>
         <source>Nothing was changed.</source>
@@ -6523,7 +6535,7 @@
     </message>
     <message>
         <source>Run {0}: DUT {1}</source>
-        <translation>Mesure {0} : DUT {1}</translation>
+        <translation>Mesure {0}&#xa0;: DUT {1}</translation>
     </message>
     <message>
         <source>Comparing {0} with {1} …</source>
@@ -6539,7 +6551,7 @@
     </message>
     <message>
         <source>{0} is there already; nothing was written.</source>
-        <translation>{0} existe déjà ; rien n&apos;a été écrit.</translation>
+        <translation>{0} existe déjà&#xa0;; rien n&apos;a été écrit.</translation>
     </message>
     <message>
         <source>Choose another folder.</source>
@@ -6547,7 +6559,7 @@
     </message>
     <message>
         <source>Exported: {0}</source>
-        <translation>Exporté : {0}</translation>
+        <translation>Exporté&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Run bundles (*.zip)</source>
@@ -6566,7 +6578,7 @@
     <name>HoldButton</name>
     <message>
         <source>▲ Let go of {0}: it was down before this question came. Then hold it for 0.7 s.</source>
-        <translation>▲ Lâchez {0} : la touche était déjà enfoncée avant cette question. Puis tenez-la 0,7 s.</translation>
+        <translation>▲ Lâchez {0}&#xa0;: la touche était déjà enfoncée avant cette question. Puis tenez-la 0,7 s.</translation>
     </message>
     <message>
         <source>▲ {0} was pressed before this question took an answer. Press it anew.</source>
@@ -6574,15 +6586,15 @@
     </message>
     <message>
         <source>▲ Let go too early, after {0} s: hold {1} for 0.7 s.</source>
-        <translation>▲ Lâché trop tôt, après {0} s : tenir {1} 0,7 s.</translation>
+        <translation>▲ Lâché trop tôt, après {0} s&#xa0;: tenir {1} 0,7 s.</translation>
     </message>
     <message>
         <source>▲ Let go too early: the mouse has left the button. Hold {1} for 0.7 s.</source>
-        <translation>▲ Lâché trop tôt : la souris a quitté le bouton. Tenir {1} 0,7 s.</translation>
+        <translation>▲ Lâché trop tôt&#xa0;: la souris a quitté le bouton. Tenir {1} 0,7 s.</translation>
     </message>
     <message>
         <source>▲ Let go too early, after {0} s: hold this button, or {1}, for 0.7 s.</source>
-        <translation>▲ Lâché trop tôt, après {0} s : tenir ce bouton, ou {1}, 0,7 s.</translation>
+        <translation>▲ Lâché trop tôt, après {0} s&#xa0;: tenir ce bouton, ou {1}, 0,7 s.</translation>
     </message>
 </context>
 <context>
@@ -6593,7 +6605,7 @@
     </message>
     <message>
         <source>While this sheet is open no key answers a question; COILS OFF (F12) works.</source>
-        <translation>Tant que cette feuille est ouverte, aucune touche ne répond à une question ; BOBINES À ZÉRO (F12) agit.</translation>
+        <translation>Tant que cette feuille est ouverte, aucune touche ne répond à une question&#xa0;; BOBINES À ZÉRO (F12) agit.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6616,11 +6628,11 @@
     </message>
     <message>
         <source>A run goes on and reads the instruments itself; the DUT is read again in its next step.</source>
-        <translation>Une mesure est en cours et lit elle-même les appareils ; le DUT est relu à son étape suivante.</translation>
+        <translation>Une mesure est en cours et lit elle-même les appareils&#xa0;; le DUT est relu à son étape suivante.</translation>
     </message>
     <message>
         <source>Reading every instrument; nothing is set …</source>
-        <translation>Lecture de tous les appareils ; rien n&apos;est réglé …</translation>
+        <translation>Lecture de tous les appareils&#xa0;; rien n&apos;est réglé …</translation>
     </message>
     <message>
         <source>{0} of {1} instruments were read</source>
@@ -6628,15 +6640,19 @@
     </message>
     <message>
         <source>; the guardian of the last session has {0} until {1} is read back at zero</source>
-        <translation>; le gardien de la dernière session tient {0} jusqu’à ce que {1} soit relu à zéro</translation>
+        <translation>&#xa0;; le gardien de la dernière session tient {0} jusqu’à ce que {1} soit relu à zéro</translation>
     </message>
     <message>
         <source>; another process has {0}</source>
-        <translation>; un autre processus tient {0}</translation>
+        <translation>&#xa0;; un autre processus tient {0}</translation>
     </message>
 </context>
 <context>
     <name>LazyPage</name>
+    <message>
+        <source>This page is being made ready …</source>
+        <translation>Cette page est en préparation …</translation>
+    </message>
     <message>
         <source>All other pages work. Mend the package that brings this page, or uninstall it.</source>
         <translation>Toutes les autres pages marchent. Réparez le paquet de cette page, ou retirez-le.</translation>
@@ -6657,7 +6673,7 @@
     <name>LeftWithoutEnd</name>
     <message>
         <source>Another process still drives a run of {0} on this bench: wait until it has ended.</source>
-        <translation>Un autre processus conduit encore une mesure de {0} sur ce banc : attendre qu&apos;elle soit terminée.</translation>
+        <translation>Un autre processus conduit encore une mesure de {0} sur ce banc&#xa0;: attendre qu&apos;elle soit terminée.</translation>
     </message>
 </context>
 <context>
@@ -6684,7 +6700,7 @@
     </message>
     <message>
         <source>End this run now, in order. The coils go to zero; what was measured is kept.</source>
-        <translation>Terminer cette mesure, en ordre. Les bobines vont à zéro ; le mesuré est gardé.</translation>
+        <translation>Terminer cette mesure, en ordre. Les bobines vont à zéro&#xa0;; le mesuré est gardé.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -6692,7 +6708,7 @@
     </message>
     <message>
         <source>Back to the procedures; the run is in the History</source>
-        <translation>Retour aux procédures ; la mesure est dans l&apos;Historique</translation>
+        <translation>Retour aux procédures&#xa0;; la mesure est dans l&apos;Historique</translation>
     </message>
     <message>
         <source>What is missing of this run</source>
@@ -6712,11 +6728,11 @@
     </message>
     <message>
         <source>Here that is Go on: what was finished is kept.</source>
-        <translation>Ici, c&apos;est « Continuer » : ce qui est terminé est gardé.</translation>
+        <translation>Ici, c&apos;est «&#xa0;Continuer&#xa0;»&#xa0;: ce qui est terminé est gardé.</translation>
     </message>
     <message>
         <source>This run has ended: Close, then Begin measures anew.</source>
-        <translation>Cette mesure est finie : « Fermer », puis « Démarrer » mesure de nouveau.</translation>
+        <translation>Cette mesure est finie&#xa0;: «&#xa0;Fermer&#xa0;», puis «&#xa0;Démarrer&#xa0;» mesure de nouveau.</translation>
     </message>
     <message>
         <source>Go on</source>
@@ -6724,7 +6740,7 @@
     </message>
     <message>
         <source>What was measured is kept in the History. To measure again: Close, then Begin.</source>
-        <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer : Fermer, puis Démarrer.</translation>
+        <translation>Le mesuré reste dans l&apos;Historique. Pour remesurer&#xa0;: Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>{0} Or Close, and begin anew.</source>
@@ -6735,7 +6751,7 @@
     <name>LockScreen</name>
     <message>
         <source>Who works here?</source>
-        <translation>Qui travaille ici ?</translation>
+        <translation>Qui travaille ici&#xa0;?</translation>
     </message>
     <message>
         <source>Your name in the trust list</source>
@@ -6755,7 +6771,7 @@
     </message>
     <message>
         <source>COILS OFF (F12) works all the same. A name says who is meant; signing still asks for your key.</source>
-        <translation>BOBINES À ZÉRO (F12) marche quand même. Un nom dit de qui il s&apos;agit ; signer demande toujours votre clé.</translation>
+        <translation>BOBINES À ZÉRO (F12) marche quand même. Un nom dit de qui il s&apos;agit&#xa0;; signer demande toujours votre clé.</translation>
     </message>
 </context>
 <context>
@@ -6796,7 +6812,7 @@
     </message>
     <message>
         <source>End what is being computed; what is done stays</source>
-        <translation>Arrêter ce qui se calcule ; ce qui est fait reste</translation>
+        <translation>Arrêter ce qui se calcule&#xa0;; ce qui est fait reste</translation>
     </message>
     <message>
         <source>To the certificate</source>
@@ -6804,7 +6820,7 @@
     </message>
     <message>
         <source>The draft with the accepted effects: approve and sign it</source>
-        <translation>Le projet avec les effets retenus : approuver et signer</translation>
+        <translation>Le projet avec les effets retenus&#xa0;: approuver et signer</translation>
     </message>
     <message>
         <source>In figures</source>
@@ -6812,7 +6828,7 @@
     </message>
     <message>
         <source>The loop&apos;s own words: held-out rms, tests, rows set aside</source>
-        <translation>Les mots du calcul : rms mis de côté, tests, lignes écartées</translation>
+        <translation>Les mots du calcul&#xa0;: rms mis de côté, tests, lignes écartées</translation>
     </message>
     <message>
         <source>1  What is left over</source>
@@ -6824,7 +6840,7 @@
     </message>
     <message>
         <source>Band: the noise of one axis of one row</source>
-        <translation>Bande : le bruit d’un axe d’une ligne</translation>
+        <translation>Bande&#xa0;: le bruit d’un axe d’une ligne</translation>
     </message>
     <message>
         <source>3  What could cause it</source>
@@ -6844,11 +6860,11 @@
     </message>
     <message>
         <source>No cause was searched for: 4 says why.</source>
-        <translation>Aucune cause n’a été cherchée : 4 dit pourquoi.</translation>
+        <translation>Aucune cause n’a été cherchée&#xa0;: 4 dit pourquoi.</translation>
     </message>
     <message>
         <source>What the residual is drawn against; the named cause first</source>
-        <translation>En fonction de quoi le résidu est tracé ; la cause nommée d&apos;abord</translation>
+        <translation>En fonction de quoi le résidu est tracé&#xa0;; la cause nommée d&apos;abord</translation>
     </message>
     <message>
         <source>4  Still not known</source>
@@ -6856,11 +6872,11 @@
     </message>
     <message>
         <source>Its plan is shown on the Run page before anything moves, and the run is started there</source>
-        <translation>Son plan est montré à la page Mesure avant tout mouvement ; c&apos;est là qu&apos;on démarre</translation>
+        <translation>Son plan est montré à la page Mesure avant tout mouvement&#xa0;; c&apos;est là qu&apos;on démarre</translation>
     </message>
     <message>
         <source>This run is of {0}; the DUT at the top is {1}. Put {0} on the bench, and scan it.</source>
-        <translation>Cette mesure est de {0} ; le DUT en haut est {1}. Mettez {0} sur le banc, et lisez son code.</translation>
+        <translation>Cette mesure est de {0}&#xa0;; le DUT en haut est {1}. Mettez {0} sur le banc, et lisez son code.</translation>
     </message>
     <message>
         <source>Work it out again</source>
@@ -6872,7 +6888,7 @@
     </message>
     <message>
         <source>Looking at the residual; a whole preflight takes some minutes.</source>
-        <translation>Examen du résidu ; un préflight entier prend quelques minutes.</translation>
+        <translation>Examen du résidu&#xa0;; un préflight entier prend quelques minutes.</translation>
     </message>
     <message>
         <source>Trace the residual of this run to its cause.</source>
@@ -6880,11 +6896,11 @@
     </message>
     <message>
         <source>Pictures and the figures of each cause are not kept: “Work it out again” makes them.</source>
-        <translation>Les images et les chiffres de chaque cause ne sont pas gardés : « Recalculer » les refait.</translation>
+        <translation>Les images et les chiffres de chaque cause ne sont pas gardés&#xa0;: «&#xa0;Recalculer&#xa0;» les refait.</translation>
     </message>
     <message>
         <source>These figures are beside the errors that the run declares; above they are in it.</source>
-        <translation>Ces chiffres sont à part les erreurs que la mesure déclare ; en haut elles y sont.</translation>
+        <translation>Ces chiffres sont à part les erreurs que la mesure déclare&#xa0;; en haut elles y sont.</translation>
     </message>
     <message>
         <source>as calibrated</source>
@@ -6896,15 +6912,15 @@
     </message>
     <message>
         <source>Added to it: {0}.</source>
-        <translation>Ajouté : {0}.</translation>
+        <translation>Ajouté&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Rows set aside: {0} {1}</source>
-        <translation>Lignes écartées : {0} {1}</translation>
+        <translation>Lignes écartées&#xa0;: {0} {1}</translation>
     </message>
     <message>
         <source>“{0}” explains it about as well as “{1}”.</source>
-        <translation>« {0} » l&apos;explique à peu près aussi bien que « {1} ».</translation>
+        <translation>«&#xa0;{0}&#xa0;» l&apos;explique à peu près aussi bien que «&#xa0;{1}&#xa0;».</translation>
     </message>
     <message>
         <source>Measured by the procedure {0}.</source>
@@ -6924,7 +6940,7 @@
     </message>
     <message>
         <source>2  With “{0}”</source>
-        <translation>2  Avec « {0} »</translation>
+        <translation>2  Avec «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>computing …</source>
@@ -6943,7 +6959,7 @@
     <name>Mounting</name>
     <message>
         <source>Drawing: body {0} up</source>
-        <translation>Dessin : axe {0} du corps en haut</translation>
+        <translation>Dessin&#xa0;: axe {0} du corps en haut</translation>
     </message>
     <message>
         <source>Drawing of a dial</source>
@@ -6951,7 +6967,7 @@
     </message>
     <message>
         <source>drawn for platform angle 0°; where it stands is not known</source>
-        <translation>dessiné pour l’angle 0° de la plate-forme ; où elle se trouve n’est pas connu</translation>
+        <translation>dessiné pour l’angle 0° de la plate-forme&#xa0;; où elle se trouve n’est pas connu</translation>
     </message>
     <message>
         <source>platform at {0}°</source>
@@ -6962,7 +6978,7 @@
     <name>NamedSerials</name>
     <message>
         <source>{0}: is this the right sensor?</source>
-        <translation>{0} : est-ce le bon capteur ?</translation>
+        <translation>{0}&#xa0;: est-ce le bon capteur&#xa0;?</translation>
     </message>
     <message>
         <source>names itself {0}, not {1}</source>
@@ -6981,7 +6997,7 @@
     </message>
     <message>
         <source>The laboratory is asked for once. Its logo: logo.png or logo.svg in labcal&apos;s folder.</source>
-        <translation>Le laboratoire n&apos;est demandé qu&apos;une fois. Son logo : logo.png ou logo.svg dans le dossier de labcal.</translation>
+        <translation>Le laboratoire n&apos;est demandé qu&apos;une fois. Son logo&#xa0;: logo.png ou logo.svg dans le dossier de labcal.</translation>
     </message>
     <message>
         <source>Customer on the certificate</source>
@@ -6989,7 +7005,7 @@
     </message>
     <message>
         <source>For no customer in particular? Leave it empty.</source>
-        <translation>Pour aucun client en particulier ? Laisser vide.</translation>
+        <translation>Pour aucun client en particulier&#xa0;? Laisser vide.</translation>
     </message>
     <message>
         <source>Keep</source>
@@ -7017,7 +7033,7 @@
     </message>
     <message>
         <source>Keep waits for: {0}.</source>
-        <translation>Garder attend : {0}.</translation>
+        <translation>Garder attend&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Being kept …</source>
@@ -7025,7 +7041,7 @@
     </message>
     <message>
         <source>Laboratory: {0}</source>
-        <translation>Laboratoire : {0}</translation>
+        <translation>Laboratoire&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Country, as DE</source>
@@ -7033,7 +7049,7 @@
     </message>
     <message>
         <source>Customer: {0}</source>
-        <translation>Client : {0}</translation>
+        <translation>Client&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The certificate names no laboratory.</source>
@@ -7053,7 +7069,7 @@
     </message>
     <message>
         <source>✕ “{0}” is no country: two letters, as DE, or its name.</source>
-        <translation>✕ « {0} » n’est pas un pays : deux lettres, comme DE, ou son nom.</translation>
+        <translation>✕ «&#xa0;{0}&#xa0;» n’est pas un pays&#xa0;: deux lettres, comme DE, ou son nom.</translation>
     </message>
 </context>
 <context>
@@ -7079,7 +7095,7 @@
     <name>OneDut</name>
     <message>
         <source>{0}: what is being computed goes on.</source>
-        <translation>{0} : le calcul en cours continue.</translation>
+        <translation>{0}&#xa0;: le calcul en cours continue.</translation>
     </message>
 </context>
 <context>
@@ -7094,7 +7110,7 @@
     </message>
     <message>
         <source>A folder with all that goes to the customer; the certificate on paper, a label for the DUT</source>
-        <translation>Un dossier avec tout ce qui va au client ; le certificat sur papier, une étiquette pour le DUT</translation>
+        <translation>Un dossier avec tout ce qui va au client&#xa0;; le certificat sur papier, une étiquette pour le DUT</translation>
     </message>
     <message>
         <source>Apply to readings …</source>
@@ -7130,7 +7146,7 @@
     </message>
     <message>
         <source>Sent to the printer: {0}</source>
-        <translation>Envoyé à l&apos;imprimante : {0}</translation>
+        <translation>Envoyé à l&apos;imprimante&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Asking the printer …</source>
@@ -7142,7 +7158,7 @@
     </message>
     <message>
         <source>Written: {0}</source>
-        <translation>Écrit : {0}</translation>
+        <translation>Écrit&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -7154,7 +7170,7 @@
     </message>
     <message>
         <source>Copy the calibration to: a folder, or the name of a new one</source>
-        <translation>Copier l&apos;étalonnage vers : un dossier, ou le nom d&apos;un nouveau</translation>
+        <translation>Copier l&apos;étalonnage vers&#xa0;: un dossier, ou le nom d&apos;un nouveau</translation>
     </message>
     <message>
         <source>Copy here</source>
@@ -7162,7 +7178,7 @@
     </message>
     <message>
         <source>Handed out into {0}:</source>
-        <translation>Remis dans {0} :</translation>
+        <translation>Remis dans {0}&#xa0;:</translation>
     </message>
     <message>
         <source>Writing the certificate …</source>
@@ -7209,7 +7225,7 @@
     </message>
     <message>
         <source>▸ More settings: {0}</source>
-        <translation>▸ Autres réglages : {0}</translation>
+        <translation>▸ Autres réglages&#xa0;: {0}</translation>
     </message>
 </context>
 <context>
@@ -7228,7 +7244,7 @@
     </message>
     <message>
         <source>What it has not measured yet would be missing: go on with it on the Start page.</source>
-        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait : continuez à la page Accueil.</translation>
+        <translation>Ce qu&apos;elle n&apos;a pas encore mesuré manquerait&#xa0;: continuez à la page Accueil.</translation>
     </message>
     <message>
         <source>Run {0} {1}. {2}</source>
@@ -7280,7 +7296,7 @@
     </message>
     <message>
         <source>was broken off: {0}</source>
-        <translation>a été interrompue : {0}</translation>
+        <translation>a été interrompue&#xa0;: {0}</translation>
     </message>
     <message>
         <source>was broken off</source>
@@ -7366,7 +7382,7 @@
     </message>
     <message>
         <source>Not printed ({0}): opened, to be printed from there.</source>
-        <translation>Non imprimé ({0}) : ouvert, à imprimer de là.</translation>
+        <translation>Non imprimé ({0})&#xa0;: ouvert, à imprimer de là.</translation>
     </message>
 </context>
 <context>
@@ -7385,7 +7401,7 @@
     </message>
     <message>
         <source>None is found. Fewer words, or a part of one?</source>
-        <translation>Rien trouvé. Moins de mots, ou une partie ?</translation>
+        <translation>Rien trouvé. Moins de mots, ou une partie&#xa0;?</translation>
     </message>
 </context>
 <context>
@@ -7428,7 +7444,7 @@
     </message>
     <message>
         <source>The simulated bench began anew: its platform is at its zero, nothing has turned.</source>
-        <translation>Le banc simulé a recommencé : sa plate-forme est à zéro, rien n&apos;a tourné.</translation>
+        <translation>Le banc simulé a recommencé&#xa0;: sa plate-forme est à zéro, rien n&apos;a tourné.</translation>
     </message>
     <message>
         <source>Write the path of a file into the answer</source>
@@ -7440,11 +7456,11 @@
     </message>
     <message>
         <source>Not yet: what it waits for stands above.</source>
-        <translation>Pas encore : ce qui est attendu est écrit au-dessus.</translation>
+        <translation>Pas encore&#xa0;: ce qui est attendu est écrit au-dessus.</translation>
     </message>
     <message>
         <source>{0}: answers again</source>
-        <translation>{0} : répond de nouveau</translation>
+        <translation>{0}&#xa0;: répond de nouveau</translation>
     </message>
     <message>
         <source>Every instrument answers again.</source>
@@ -7452,11 +7468,11 @@
     </message>
     <message>
         <source>Skipped, it is missing, and this run does not come back to it; only Redo axis, where that is offered at the next mounting, turns its axis again. The verdict says so, and a calibration may lack what it would tell.</source>
-        <translation>Sautée, elle manque, et cette mesure n&apos;y revient pas ; seul « Refaire l&apos;axe », s&apos;il est proposé au montage suivant, refait tourner son axe. Le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
+        <translation>Sautée, elle manque, et cette mesure n&apos;y revient pas&#xa0;; seul «&#xa0;Refaire l&apos;axe&#xa0;», s&apos;il est proposé au montage suivant, refait tourner son axe. Le verdict le dit, et un étalonnage peut manquer de ce qu&apos;elle aurait montré.</translation>
     </message>
     <message>
         <source>No: nothing is measured, and the run ends. Yes: the record says that you answered so.</source>
-        <translation>Non : rien n’est mesuré, et la mesure prend fin. Oui : l’enregistrement dit que vous avez répondu ainsi.</translation>
+        <translation>Non&#xa0;: rien n’est mesuré, et la mesure prend fin. Oui&#xa0;: l’enregistrement dit que vous avez répondu ainsi.</translation>
     </message>
     <message>
         <source>Click, or hold the key for a moment. Enter does nothing here.</source>
@@ -7468,19 +7484,19 @@
     </message>
     <message>
         <source>A scan answers by itself; what is typed is sent by Enter.</source>
-        <translation>Une lecture répond d&apos;elle-même ; ce qui est tapé est envoyé par Entrée.</translation>
+        <translation>Une lecture répond d&apos;elle-même&#xa0;; ce qui est tapé est envoyé par Entrée.</translation>
     </message>
     <message>
         <source>Yes: it goes on as it stands. No: mount it again first.</source>
-        <translation>Oui : on continue tel quel. Non : le remonter d&apos;abord.</translation>
+        <translation>Oui&#xa0;: on continue tel quel. Non&#xa0;: le remonter d&apos;abord.</translation>
     </message>
     <message>
         <source>No turn was finished: either way it begins with the first step again.</source>
-        <translation>Aucune rotation n’est terminée : dans les deux cas on recommence à la première étape.</translation>
+        <translation>Aucune rotation n’est terminée&#xa0;: dans les deux cas on recommence à la première étape.</translation>
     </message>
     <message>
         <source>Either way turns that were finished stay as they are, with their ticks: each mounting has a phase of its own in the fit. First the zero, the axes and the timing are measured again, to see whether anything moved or drifted; then only what is missing.</source>
-        <translation>Dans les deux cas, les rotations terminées restent, cochées : chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé ; puis seulement ce qui manque.</translation>
+        <translation>Dans les deux cas, les rotations terminées restent, cochées&#xa0;: chaque montage a sa propre phase dans l&apos;ajustement. D&apos;abord le zéro, les axes et les temps sont mesurés encore, pour voir si quelque chose a bougé ou dérivé&#xa0;; puis seulement ce qui manque.</translation>
     </message>
     <message>
         <source>None</source>
@@ -7488,11 +7504,11 @@
     </message>
     <message>
         <source>Go on without a file; the record says so</source>
-        <translation>Continuer sans fichier ; l&apos;enregistrement le dit</translation>
+        <translation>Continuer sans fichier&#xa0;; l&apos;enregistrement le dit</translation>
     </message>
     <message>
         <source>Answer: {0}</source>
-        <translation>Réponse : {0}</translation>
+        <translation>Réponse&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Click, or hold {0} for 0.7 s</source>
@@ -7519,14 +7535,14 @@
     </message>
     <message>
         <source>All that the procedure noted, in its order; no verdict rests on its estimates</source>
-        <translation>Tout ce que la procédure a noté, dans l’ordre ; aucun verdict ne repose sur ses estimations</translation>
+        <translation>Tout ce que la procédure a noté, dans l’ordre&#xa0;; aucun verdict ne repose sur ses estimations</translation>
     </message>
 </context>
 <context>
     <name>RecordingView</name>
     <message>
         <source>Recording {0}: what its columns are</source>
-        <translation>Enregistrement {0} : ce que sont ses colonnes</translation>
+        <translation>Enregistrement {0}&#xa0;: ce que sont ses colonnes</translation>
     </message>
     <message>
         <source>What its columns are</source>
@@ -7534,11 +7550,11 @@
     </message>
     <message>
         <source>guessed: check every line</source>
-        <translation>deviné : vérifiez chaque ligne</translation>
+        <translation>deviné&#xa0;: vérifiez chaque ligne</translation>
     </message>
     <message>
         <source>Correct a value as a mapping has it (docs/import.md): &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot;; an empty one takes the line away. accept: [&quot;axes&quot;] lets that doubt pass.</source>
-        <translation>Corrigez une valeur telle qu’elle figure dans une correspondance (docs/import.md) : &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot; ; une valeur vide supprime la ligne. accept : [&quot;axes&quot;] lève ce doute.</translation>
+        <translation>Corrigez une valeur telle qu’elle figure dans une correspondance (docs/import.md)&#xa0;: &quot;uT&quot;, [&quot;y&quot;, &quot;x&quot;, &quot;-z&quot;], &quot;Bx [nT]&quot;&#xa0;; une valeur vide supprime la ligne. accept&#xa0;: [&quot;axes&quot;] lève ce doute.</translation>
     </message>
     <message>
         <source>Its readings</source>
@@ -7550,7 +7566,7 @@
     </message>
     <message>
         <source>To the list of runs; nothing is imported</source>
-        <translation>Vers la liste des mesures ; rien n’est importé</translation>
+        <translation>Vers la liste des mesures&#xa0;; rien n’est importé</translation>
     </message>
     <message>
         <source>Check</source>
@@ -7574,7 +7590,7 @@
     </message>
     <message>
         <source>▲ Not imported so: {0}</source>
-        <translation>▲ Non importable ainsi : {0}</translation>
+        <translation>▲ Non importable ainsi&#xa0;: {0}</translation>
     </message>
     <message>
         <source>✓ It can be imported. {0}</source>
@@ -7586,7 +7602,7 @@
     </message>
     <message>
         <source>Imported: run {0}</source>
-        <translation>Importé : mesure {0}</translation>
+        <translation>Importé&#xa0;: mesure {0}</translation>
     </message>
 </context>
 <context>
@@ -7605,11 +7621,11 @@
     </message>
     <message>
         <source>{0} is being measured: its run can be looked at once it has ended.</source>
-        <translation>{0} est en cours de mesure : la mesure pourra être regardée une fois finie.</translation>
+        <translation>{0} est en cours de mesure&#xa0;: la mesure pourra être regardée une fois finie.</translation>
     </message>
     <message>
         <source>The run in the store has not ended yet: it can be looked at then.</source>
-        <translation>La mesure conservée n’est pas encore finie : elle pourra être regardée ensuite.</translation>
+        <translation>La mesure conservée n’est pas encore finie&#xa0;: elle pourra être regardée ensuite.</translation>
     </message>
 </context>
 <context>
@@ -7627,7 +7643,7 @@
     </message>
     <message>
         <source>Put a remark with its time into the record, and Enter: “lift moved”. History shows it with the run</source>
-        <translation>Mettre une remarque avec son heure dans l&apos;enregistrement, puis Entrée : « ascenseur en marche ». L&apos;historique la montre avec la mesure</translation>
+        <translation>Mettre une remarque avec son heure dans l&apos;enregistrement, puis Entrée&#xa0;: «&#xa0;ascenseur en marche&#xa0;». L&apos;historique la montre avec la mesure</translation>
     </message>
     <message>
         <source>Photo …</source>
@@ -7639,7 +7655,7 @@
     </message>
     <message>
         <source>Kept in the run&apos;s record, which History shows: {0}</source>
-        <translation>Gardé dans l&apos;enregistrement de la mesure, que l&apos;historique montre : {0}</translation>
+        <translation>Gardé dans l&apos;enregistrement de la mesure, que l&apos;historique montre&#xa0;: {0}</translation>
     </message>
     <message>
         <source>A photograph for the record</source>
@@ -7662,7 +7678,7 @@
     </message>
     <message>
         <source>Hands off: it goes on.</source>
-        <translation>Mains loin : cela continue.</translation>
+        <translation>Mains loin&#xa0;: cela continue.</translation>
     </message>
     <message>
         <source>It goes on.</source>
@@ -7682,7 +7698,7 @@
     </message>
     <message>
         <source>Coils off: the run ends …</source>
-        <translation>Bobines à zéro : la mesure se termine …</translation>
+        <translation>Bobines à zéro&#xa0;: la mesure se termine …</translation>
     </message>
     <message>
         <source>Paused</source>
@@ -7713,7 +7729,7 @@
     </message>
     <message>
         <source>✕ Scanned, and not taken: no serial has blanks</source>
-        <translation>✕ Scanné, et non repris : aucun numéro de série n’a d’espace</translation>
+        <translation>✕ Scanné, et non repris&#xa0;: aucun numéro de série n’a d’espace</translation>
     </message>
     <message>
         <source>none</source>
@@ -7721,7 +7737,7 @@
     </message>
     <message>
         <source>Scanned {0}. Is it the DUT from here on? Until now: {1}.</source>
-        <translation>{0} lu. Est-ce désormais le DUT ? Jusqu&apos;ici : {1}.</translation>
+        <translation>{0} lu. Est-ce désormais le DUT&#xa0;? Jusqu&apos;ici&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>The DUT is {0}, in place of {1}.</source>
@@ -7748,11 +7764,11 @@
     </message>
     <message>
         <source>From here on this is the DUT to be measured: the one that is mounted</source>
-        <translation>Dès maintenant c’est le DUT à mesurer : celui qui est monté</translation>
+        <translation>Dès maintenant c’est le DUT à mesurer&#xa0;: celui qui est monté</translation>
     </message>
     <message>
         <source>To be measured: {0}; the marks at the left and Next are of it.</source>
-        <translation>À mesurer : {0} ; les marques à gauche et Suite concernent celui-ci.</translation>
+        <translation>À mesurer&#xa0;: {0}&#xa0;; les marques à gauche et Suite concernent celui-ci.</translation>
     </message>
     <message>
         <source>Which DUT is to be measured is not said yet.</source>
@@ -7760,7 +7776,7 @@
     </message>
     <message>
         <source>Shown: {0}. {1}</source>
-        <translation>Affiché : {0}. {1}</translation>
+        <translation>Affiché&#xa0;: {0}. {1}</translation>
     </message>
     <message>
         <source>Back to {0}</source>
@@ -7776,7 +7792,7 @@
     </message>
     <message>
         <source>The marks at the left and Next are of another run: {0}.</source>
-        <translation>Les marques à gauche et Suite sont d’une autre mesure : {0}.</translation>
+        <translation>Les marques à gauche et Suite sont d’une autre mesure&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Back to that run</source>
@@ -7795,7 +7811,7 @@
     </message>
     <message>
         <source>Change the unit of what is shown: nT, µT, mG. Entry fields keep theirs.</source>
-        <translation>Changer l&apos;unité affichée : nT, µT, mG. Les champs de saisie gardent la leur.</translation>
+        <translation>Changer l&apos;unité affichée&#xa0;: nT, µT, mG. Les champs de saisie gardent la leur.</translation>
     </message>
     <message>
         <source>FIELD</source>
@@ -7811,7 +7827,7 @@
     </message>
     <message>
         <source>Read every instrument now: currents, field, angle, who answers. Nothing is set or moved.</source>
-        <translation>Lire chaque appareil maintenant : courants, champ, angle, qui répond. Rien n&apos;est réglé ni déplacé.</translation>
+        <translation>Lire chaque appareil maintenant&#xa0;: courants, champ, angle, qui répond. Rien n&apos;est réglé ni déplacé.</translation>
     </message>
     <message>
         <source>PLATFORM</source>
@@ -7827,7 +7843,7 @@
     </message>
     <message>
         <source>simulated: began anew at its zero</source>
-        <translation>simulé : recommencé à zéro</translation>
+        <translation>simulé&#xa0;: recommencé à zéro</translation>
     </message>
     <message>
         <source>stands</source>
@@ -7858,7 +7874,7 @@
     </message>
     <message>
         <source>Name: letters, digits and . _ @ + - without blanks, as ada.smith. Passphrase: ten characters or more, no single common word, row of keys or name; four words are easy to keep; nothing brings it back.</source>
-        <translation>Nom : lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe : dix caractères ou plus, ni mot courant seul, ni rangée de touches, ni nom ; quatre mots se retiennent bien ; rien ne la ramène.</translation>
+        <translation>Nom&#xa0;: lettres, chiffres et . _ @ + - sans espace, comme ada.smith. Phrase de passe&#xa0;: dix caractères ou plus, ni mot courant seul, ni rangée de touches, ni nom&#xa0;; quatre mots se retiennent bien&#xa0;; rien ne la ramène.</translation>
     </message>
     <message>
         <source>Whose key</source>
@@ -7870,7 +7886,7 @@
     </message>
     <message>
         <source>Of the new key; asked at each signature</source>
-        <translation>De la nouvelle clé ; demandée à chaque signature</translation>
+        <translation>De la nouvelle clé&#xa0;; demandée à chaque signature</translation>
     </message>
     <message>
         <source>Once more</source>
@@ -7878,7 +7894,7 @@
     </message>
     <message>
         <source>Typed twice: nothing can bring it back</source>
-        <translation>Tapée deux fois : rien ne peut la ramener</translation>
+        <translation>Tapée deux fois&#xa0;: rien ne peut la ramener</translation>
     </message>
     <message>
         <source>The name that this person signs under</source>
@@ -7898,7 +7914,7 @@
     </message>
     <message>
         <source>No passphrase: an approval is a name in the draft. It binds once this person has signed (3). After the first signature nobody can be added.</source>
-        <translation>Pas de phrase de passe : une approbation est un nom dans le projet. Elle engage quand cette personne a signé (3). Après la première signature, personne ne s&apos;ajoute.</translation>
+        <translation>Pas de phrase de passe&#xa0;: une approbation est un nom dans le projet. Elle engage quand cette personne a signé (3). Après la première signature, personne ne s&apos;ajoute.</translation>
     </message>
     <message>
         <source>Who approves</source>
@@ -7922,7 +7938,7 @@
     </message>
     <message>
         <source>These exact bytes: a signed file can no longer be changed.</source>
-        <translation>Ces octets exactement : un fichier signé ne peut plus être changé.</translation>
+        <translation>Ces octets exactement&#xa0;: un fichier signé ne peut plus être changé.</translation>
     </message>
     <message>
         <source>Who signs, of those who have a key here</source>
@@ -7938,7 +7954,7 @@
     </message>
     <message>
         <source>Of this person&apos;s key; asked each time</source>
-        <translation>De la clé de cette personne ; demandée chaque fois</translation>
+        <translation>De la clé de cette personne&#xa0;; demandée chaque fois</translation>
     </message>
     <message>
         <source>Sign</source>
@@ -7954,7 +7970,7 @@
     </message>
     <message>
         <source>The key&apos;s name is {0}, made of “{1}”; or type another one.</source>
-        <translation>Le nom de la clé est {0}, tiré de « {1} » ; ou en taper un autre.</translation>
+        <translation>Le nom de la clé est {0}, tiré de «&#xa0;{1}&#xa0;»&#xa0;; ou en taper un autre.</translation>
     </message>
     <message>
         <source>{0} has a key now.</source>
@@ -7966,7 +7982,7 @@
     </message>
     <message>
         <source>{0} Approve it all the same?</source>
-        <translation>{0} Approuver quand même ?</translation>
+        <translation>{0} Approuver quand même&#xa0;?</translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -7986,7 +8002,7 @@
     </message>
     <message>
         <source>{0} Sign it all the same?</source>
-        <translation>{0} Signer quand même ?</translation>
+        <translation>{0} Signer quand même&#xa0;?</translation>
     </message>
     <message>
         <source>Signed by {0}.</source>
@@ -8001,15 +8017,15 @@
     </message>
     <message>
         <source>in a table: in the order of the column at the right</source>
-        <translation>dans une table : dans l&apos;ordre de la colonne de droite</translation>
+        <translation>dans une table&#xa0;: dans l&apos;ordre de la colonne de droite</translation>
     </message>
     <message>
         <source>in a table: in the order of the column at the left</source>
-        <translation>dans une table : dans l&apos;ordre de la colonne de gauche</translation>
+        <translation>dans une table&#xa0;: dans l&apos;ordre de la colonne de gauche</translation>
     </message>
     <message>
         <source>in a table: its order turned round</source>
-        <translation>dans une table : son ordre inversé</translation>
+        <translation>dans une table&#xa0;: son ordre inversé</translation>
     </message>
 </context>
 <context>
@@ -8020,11 +8036,11 @@
     </message>
     <message>
         <source>A run that went on is broken off by its own process: go on with it on Start.</source>
-        <translation>Une mesure en cours est interrompue par son propre processus : la continuer à l&apos;Accueil.</translation>
+        <translation>Une mesure en cours est interrompue par son propre processus&#xa0;: la continuer à l&apos;Accueil.</translation>
     </message>
     <message>
         <source>The run went on meanwhile in its own process: here it is.</source>
-        <translation>La mesure a continué entre-temps dans son propre processus : la voici.</translation>
+        <translation>La mesure a continué entre-temps dans son propre processus&#xa0;: la voici.</translation>
     </message>
 </context>
 <context>
@@ -8055,7 +8071,7 @@
     </message>
     <message>
         <source>Signs and axes, the procedure axes-check: 1 minute of measuring, 3 with your own time</source>
-        <translation>Signes et axes, procédure axes-check : 1 minute de mesure, 3 avec votre temps</translation>
+        <translation>Signes et axes, procédure axes-check&#xa0;: 1 minute de mesure, 3 avec votre temps</translation>
     </message>
     <message>
         <source>The page where that is done</source>
@@ -8087,7 +8103,7 @@
     </message>
     <message>
         <source>A run goes on: {0}, DUT {1}. See the Run page.</source>
-        <translation>Une mesure est en cours : {0}, DUT {1}. Voir la page Mesure.</translation>
+        <translation>Une mesure est en cours&#xa0;: {0}, DUT {1}. Voir la page Mesure.</translation>
     </message>
     <message>
         <source>Ready. {0} is to be measured on {1}.</source>
@@ -8095,11 +8111,11 @@
     </message>
     <message>
         <source>✕ Not ready: see what is said of the coils.</source>
-        <translation>✕ Pas prêt : voir ce qui est dit des bobines.</translation>
+        <translation>✕ Pas prêt&#xa0;: voir ce qui est dit des bobines.</translation>
     </message>
     <message>
         <source>✕ Not ready: {0}. See the Bench page.</source>
-        <translation>✕ Pas prêt : {0}. Voir la page Banc.</translation>
+        <translation>✕ Pas prêt&#xa0;: {0}. Voir la page Banc.</translation>
     </message>
     <message>
         <source>The bench is being opened …</source>
@@ -8143,11 +8159,11 @@
     </message>
     <message>
         <source>▲ A run of {0} did not come to its end: go on with it below, or measure anew.</source>
-        <translation>▲ Une mesure de {0} n&apos;est pas allée à son terme : la continuer ci-dessous, ou mesurer de nouveau.</translation>
+        <translation>▲ Une mesure de {0} n&apos;est pas allée à son terme&#xa0;: la continuer ci-dessous, ou mesurer de nouveau.</translation>
     </message>
     <message>
         <source>Coil constants only: Check the cage measures the matrix.</source>
-        <translation>Des constantes de bobines seulement : « Vérifier la cage » mesure la matrice.</translation>
+        <translation>Des constantes de bobines seulement&#xa0;: «&#xa0;Vérifier la cage&#xa0;» mesure la matrice.</translation>
     </message>
     <message>
         <source>The matrix is that of the approved cage calibration {0}.</source>
@@ -8159,7 +8175,7 @@
     </message>
     <message>
         <source>A matrix without a date: Check the cage says whether it holds.</source>
-        <translation>Une matrice sans date : « Vérifier la cage » dit si elle tient.</translation>
+        <translation>Une matrice sans date&#xa0;: «&#xa0;Vérifier la cage&#xa0;» dit si elle tient.</translation>
     </message>
     <message>
         <source>? not checked</source>
@@ -8172,6 +8188,10 @@
     <message>
         <source>holds</source>
         <translation>tient</translation>
+    </message>
+    <message>
+        <source>At its end a run comes back to a position of before, and has to read the same there.</source>
+        <translation>À sa fin, une mesure revient à une position d&apos;avant et doit y lire la même chose.</translation>
     </message>
     <message>
         <source>none yet</source>
@@ -8194,7 +8214,7 @@
     </message>
     <message>
         <source>The last day on which it is good, as 2027-11-21; empty: no date is stated</source>
-        <translation>Le dernier jour où il est valable, p. ex. 2027-11-21 ; vide : aucune date</translation>
+        <translation>Le dernier jour où il est valable, p. ex. 2027-11-21&#xa0;; vide&#xa0;: aucune date</translation>
     </message>
     <message>
         <source>Good until</source>
@@ -8218,11 +8238,11 @@
     </message>
     <message>
         <source>{0} is over: the last day on which it is good is today or later</source>
-        <translation>{0} est passé : le dernier jour de validité est aujourd’hui ou plus tard</translation>
+        <translation>{0} est passé&#xa0;: le dernier jour de validité est aujourd’hui ou plus tard</translation>
     </message>
     <message>
         <source>“{0}” is no day; write it like 2027-11-21 or {1}</source>
-        <translation>« {0} » n’est pas un jour ; écrivez-le comme 2027-11-21 ou {1}</translation>
+        <translation>«&#xa0;{0}&#xa0;» n’est pas un jour&#xa0;; écrivez-le comme 2027-11-21 ou {1}</translation>
     </message>
 </context>
 <context>
@@ -8258,7 +8278,7 @@
     <name>Table</name>
     <message>
         <source>in a table: its chosen rows to the clipboard, or all</source>
-        <translation>dans une table : ses lignes choisies au presse-papiers, ou toutes</translation>
+        <translation>dans une table&#xa0;: ses lignes choisies au presse-papiers, ou toutes</translation>
     </message>
 </context>
 <context>
@@ -8281,22 +8301,22 @@
     </message>
     <message>
         <source>You are needed at {0}: {1}</source>
-        <translation>On a besoin de vous à {0} : {1}</translation>
+        <translation>On a besoin de vous à {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>You are needed within a minute: {0}</source>
-        <translation>On a besoin de vous d&apos;ici une minute : {0}</translation>
+        <translation>On a besoin de vous d&apos;ici une minute&#xa0;: {0}</translation>
     </message>
 </context>
 <context>
     <name>TopBar</name>
     <message>
         <source>Serial number of the device under test: type it, or scan it at any moment</source>
-        <translation>Numéro de série du DUT : tapez-le, ou lisez-le à tout moment</translation>
+        <translation>Numéro de série du DUT&#xa0;: tapez-le, ou lisez-le à tout moment</translation>
     </message>
     <message>
         <source>Who works here now; stands in the record and in the calibration</source>
-        <translation>Qui travaille ici ; figure dans l&apos;enregistrement et l&apos;étalonnage</translation>
+        <translation>Qui travaille ici&#xa0;; figure dans l&apos;enregistrement et l&apos;étalonnage</translation>
     </message>
     <message>
         <source>DUT</source>
@@ -8339,7 +8359,7 @@
     </message>
     <message>
         <source>Traced, {0}: {1}</source>
-        <translation>Expliqué, {0} : {1}</translation>
+        <translation>Expliqué, {0}&#xa0;: {1}</translation>
     </message>
 </context>
 <context>
@@ -8350,15 +8370,15 @@
     </message>
     <message>
         <source>bars: U, k=2</source>
-        <translation>barres : U, k=2</translation>
+        <translation>barres&#xa0;: U, k=2</translation>
     </message>
     <message>
         <source>Zero readings, scale factors from nominal, angles between the axes; gain: from the first calibration</source>
-        <translation>Lectures à zéro, facteurs d&apos;échelle par rapport au nominal, angles entre les axes ; gain : par rapport au premier étalonnage</translation>
+        <translation>Lectures à zéro, facteurs d&apos;échelle par rapport au nominal, angles entre les axes&#xa0;; gain&#xa0;: par rapport au premier étalonnage</translation>
     </message>
     <message>
         <source>No calibration of this DUT yet: its parameters and their U come up here, one dot a day.</source>
-        <translation>Aucun étalonnage de ce DUT : ses paramètres et leur U apparaissent ici, un point par jour.</translation>
+        <translation>Aucun étalonnage de ce DUT&#xa0;: ses paramètres et leur U apparaissent ici, un point par jour.</translation>
     </message>
     <message>
         <source>Calibrations of {0}</source>
@@ -8373,7 +8393,7 @@
     </message>
     <message>
         <source>Turns that were finished are kept; the zero, the axes and the timing are measured again. Where none was finished it begins with the first step.</source>
-        <translation>Les rotations terminées sont gardées ; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
+        <translation>Les rotations terminées sont gardées&#xa0;; le zéro, les axes et le temps sont remesurés. Si aucune n’était terminée, cela commence par la première étape.</translation>
     </message>
     <message>
         <source>{0} more on the History page.</source>
@@ -8385,7 +8405,7 @@
     </message>
     <message>
         <source>What is missing of it; you are asked whether the mounting stands</source>
-        <translation>Ce qui y manque ; on vous demande si le montage est encore en place</translation>
+        <translation>Ce qui y manque&#xa0;; on vous demande si le montage est encore en place</translation>
     </message>
     <message>
         <source>Go on with {0}</source>
@@ -8423,7 +8443,7 @@
     </message>
     <message>
         <source>{0} files were dropped together; nothing was done with them.</source>
-        <translation>{0} fichiers ont été déposés ensemble ; rien n’en a été fait.</translation>
+        <translation>{0} fichiers ont été déposés ensemble&#xa0;; rien n’en a été fait.</translation>
     </message>
     <message>
         <source>Drop one at a time.</source>
@@ -8431,7 +8451,7 @@
     </message>
     <message>
         <source>The window has no room for larger letters: make it larger.</source>
-        <translation>La fenêtre n’a pas de place pour des lettres plus grandes : agrandissez-la.</translation>
+        <translation>La fenêtre n’a pas de place pour des lettres plus grandes&#xa0;: agrandissez-la.</translation>
     </message>
     <message>
         <source>Go dark</source>
@@ -8546,7 +8566,7 @@
     </message>
     <message>
         <source>Hands off: begin</source>
-        <translation>Mains loin : commencer</translation>
+        <translation>Mains loin&#xa0;: commencer</translation>
     </message>
     <message>
         <source>Redo axis {0}</source>
@@ -8606,7 +8626,7 @@
     </message>
     <message>
         <source>No run yet: record one on the Run page, or import a bundle on the History page.</source>
-        <translation>Aucune mesure : enregistrez-en une à la page Mesure, ou importez un paquet à l&apos;Historique.</translation>
+        <translation>Aucune mesure&#xa0;: enregistrez-en une à la page Mesure, ou importez un paquet à l&apos;Historique.</translation>
     </message>
     <message>
         <source>Morning check</source>
@@ -8626,7 +8646,7 @@
     </message>
     <message>
         <source>Hands off: try again</source>
-        <translation>Mains loin : réessayer</translation>
+        <translation>Mains loin&#xa0;: réessayer</translation>
     </message>
     <message>
         <source>Mount it again</source>
@@ -8666,7 +8686,7 @@
     </message>
     <message>
         <source>✕ HANDS OFF: the platform may still turn</source>
-        <translation>✕ MAINS LOIN : la plate-forme peut encore tourner</translation>
+        <translation>✕ MAINS LOIN&#xa0;: la plate-forme peut encore tourner</translation>
     </message>
     <message>
         <source>✕ A limit is not met</source>
@@ -8818,15 +8838,15 @@
     </message>
     <message>
         <source>no marks between thousands: 20000, not 20 000, 20,000 or 20.000</source>
-        <translation>aucune marque entre milliers : 20000, pas 20 000, 20,000 ni 20.000</translation>
+        <translation>aucune marque entre milliers&#xa0;: 20000, pas 20 000, 20,000 ni 20.000</translation>
     </message>
     <message>
         <source>a point stands before decimals here: 1.5, not 1,5</source>
-        <translation>ici un point précède les décimales : 1.5, pas 1,5</translation>
+        <translation>ici un point précède les décimales&#xa0;: 1.5, pas 1,5</translation>
     </message>
     <message>
         <source>a blank after each comma, and a point before decimals: 20000, 50000.5</source>
-        <translation>une espace après chaque virgule, et un point avant les décimales : 20000, 50000.5</translation>
+        <translation>une espace après chaque virgule, et un point avant les décimales&#xa0;: 20000, 50000.5</translation>
     </message>
     <message>
         <source>DUT</source>
@@ -8942,11 +8962,11 @@
     </message>
     <message>
         <source>± U (k=2) is that of the difference; beyond E_n = ±1 the DUT has changed.</source>
-        <translation>± U (k=2) est celle de la différence ; au-delà de E_n = ±1 le DUT a changé.</translation>
+        <translation>± U (k=2) est celle de la différence&#xa0;; au-delà de E_n = ±1 le DUT a changé.</translation>
     </message>
     <message>
         <source>One of the two is traced, the other is not: what differs may be what tracing took out. Trace both, or none.</source>
-        <translation>L&apos;un des deux a son résidu expliqué, l&apos;autre non : la différence peut être ce qui en a été retiré. Expliquez les deux, ou aucun.</translation>
+        <translation>L&apos;un des deux a son résidu expliqué, l&apos;autre non&#xa0;: la différence peut être ce qui en a été retiré. Expliquez les deux, ou aucun.</translation>
     </message>
     <message>
         <source>They are of two DUTs. ± U (k=2) is that of the difference.</source>
@@ -8954,7 +8974,7 @@
     </message>
     <message>
         <source>One of the two is not explained: what differs may be its error, and says nothing of the DUT yet.</source>
-        <translation>L&apos;une des deux n&apos;est pas expliquée : ce qui diffère peut être son erreur et ne dit encore rien du DUT.</translation>
+        <translation>L&apos;une des deux n&apos;est pas expliquée&#xa0;: ce qui diffère peut être son erreur et ne dit encore rien du DUT.</translation>
     </message>
     <message>
         <source>changed</source>
@@ -8990,7 +9010,7 @@
     </message>
     <message>
         <source>In specification?</source>
-        <translation>Dans la spécification ?</translation>
+        <translation>Dans la spécification&#xa0;?</translation>
     </message>
     <message>
         <source>In specification</source>
@@ -9010,7 +9030,7 @@
     </message>
     <message>
         <source>Risk: how probably the true value is beyond its limit.</source>
-        <translation>Risque : probabilité que la valeur vraie soit au-delà de sa limite.</translation>
+        <translation>Risque&#xa0;: probabilité que la valeur vraie soit au-delà de sa limite.</translation>
     </message>
     <message>
         <source>set</source>
@@ -9142,7 +9162,7 @@
     </message>
     <message>
         <source>Plot: {0} against {1}</source>
-        <translation>Graphique : {0} selon {1}</translation>
+        <translation>Graphique&#xa0;: {0} selon {1}</translation>
     </message>
     <message>
         <source>residual  nT</source>
@@ -9154,7 +9174,7 @@
     </message>
     <message>
         <source>no fields all round at one magnitude: see field-sphere</source>
-        <translation>pas de champs tout autour à un même module : voir field-sphere</translation>
+        <translation>pas de champs tout autour à un même module&#xa0;: voir field-sphere</translation>
     </message>
     <message>
         <source>finished</source>
@@ -9198,7 +9218,7 @@
     </message>
     <message>
         <source>Needs: {0}</source>
-        <translation>Besoin : {0}</translation>
+        <translation>Besoin&#xa0;: {0}</translation>
     </message>
     <message>
         <source>About {0:g} min of measuring, and your own time beside it</source>
@@ -9210,7 +9230,7 @@
     </message>
     <message>
         <source>With a key here: {0}.</source>
-        <translation>Avec une clé ici : {0}.</translation>
+        <translation>Avec une clé ici&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Whoever signed has a key elsewhere.</source>
@@ -9222,7 +9242,7 @@
     </message>
     <message>
         <source>Only {0} has a key here. Make one for who approves: another person than {1}.</source>
-        <translation>Seul {0} a une clé ici. Créez-en une pour qui approuve : une autre personne que {1}.</translation>
+        <translation>Seul {0} a une clé ici. Créez-en une pour qui approuve&#xa0;: une autre personne que {1}.</translation>
     </message>
     <message>
         <source>Approved by {0}.</source>
@@ -9230,7 +9250,7 @@
     </message>
     <message>
         <source>Signed without an approval: nobody can be added any more.</source>
-        <translation>Signé sans approbation : personne ne s&apos;ajoute plus.</translation>
+        <translation>Signé sans approbation&#xa0;: personne ne s&apos;ajoute plus.</translation>
     </message>
     <message>
         <source>Another person than {0} looks at the figures below, and approves.</source>
@@ -9242,7 +9262,7 @@
     </message>
     <message>
         <source>Do not use it: make a new draft on the Fit page.</source>
-        <translation>Ne l&apos;utilisez pas : refaites un projet à la page Ajuster.</translation>
+        <translation>Ne l&apos;utilisez pas&#xa0;: refaites un projet à la page Ajuster.</translation>
     </message>
     <message>
         <source>Their key is not on this computer.</source>
@@ -9258,7 +9278,7 @@
     </message>
     <message>
         <source>After the approval (2). Nobody there? Sign alone: it is valid, and PROVISIONAL.</source>
-        <translation>Après l&apos;approbation (2). Personne ? Signez seul : c&apos;est valide, et PROVISOIRE.</translation>
+        <translation>Après l&apos;approbation (2). Personne&#xa0;? Signez seul&#xa0;: c&apos;est valide, et PROVISOIRE.</translation>
     </message>
     <message>
         <source>Once it is signed (3).</source>
@@ -9266,23 +9286,23 @@
     </message>
     <message>
         <source>Once {0} has signed; before that as PROVISIONAL.</source>
-        <translation>Quand {0} a signé ; avant, comme PROVISOIRE.</translation>
+        <translation>Quand {0} a signé&#xa0;; avant, comme PROVISOIRE.</translation>
     </message>
     <message>
         <source>Handed out. Next: another DUT.</source>
-        <translation>Remis. Ensuite : un autre DUT.</translation>
+        <translation>Remis. Ensuite&#xa0;: un autre DUT.</translation>
     </message>
     <message>
         <source>As PROVISIONAL: nobody approved it before it was signed.</source>
-        <translation>Comme PROVISOIRE : personne ne l&apos;a approuvé avant la signature.</translation>
+        <translation>Comme PROVISOIRE&#xa0;: personne ne l&apos;a approuvé avant la signature.</translation>
     </message>
     <message>
         <source>As PROVISIONAL: why is said above.</source>
-        <translation>Comme PROVISOIRE : la raison est plus haut.</translation>
+        <translation>Comme PROVISOIRE&#xa0;: la raison est plus haut.</translation>
     </message>
     <message>
         <source>No key can bear “{0}”: letters, digits and . _ @ + - alone, as in ada.smith</source>
-        <translation>Aucune clé ne peut porter « {0} » : seulement lettres, chiffres et . _ @ + -, comme ada.smith</translation>
+        <translation>Aucune clé ne peut porter «&#xa0;{0}&#xa0;»&#xa0;: seulement lettres, chiffres et . _ @ + -, comme ada.smith</translation>
     </message>
     <message>
         <source>{0} has a key here already, as {1}.</source>
@@ -9294,7 +9314,7 @@
     </message>
     <message>
         <source>{0} is the operator, {1}: another person approves.</source>
-        <translation>{0} est l&apos;opérateur, {1} : une autre personne approuve.</translation>
+        <translation>{0} est l&apos;opérateur, {1}&#xa0;: une autre personne approuve.</translation>
     </message>
     <message>
         <source>the operator</source>
@@ -9302,7 +9322,7 @@
     </message>
     <message>
         <source>✕ HANDS OFF: the coils may be on</source>
-        <translation>✕ MAINS LOIN : les bobines sont peut-être alimentées</translation>
+        <translation>✕ MAINS LOIN&#xa0;: les bobines sont peut-être alimentées</translation>
     </message>
     <message>
         <source>▲ Broken off</source>
@@ -9354,11 +9374,11 @@
     </message>
     <message>
         <source>Good to use as PROVISIONAL; {0} has still to sign.</source>
-        <translation>Utilisable comme PROVISOIRE ; {0} doit encore signer.</translation>
+        <translation>Utilisable comme PROVISOIRE&#xa0;; {0} doit encore signer.</translation>
     </message>
     <message>
         <source>no answer (plug? power?)</source>
-        <translation>pas de réponse (prise ? alimentation ?)</translation>
+        <translation>pas de réponse (prise&#xa0;? alimentation&#xa0;?)</translation>
     </message>
     <message>
         <source>no answer (link lost)</source>
@@ -9410,43 +9430,43 @@
     </message>
     <message>
         <source>▲ Hands off: {0}</source>
-        <translation>▲ Mains loin : {0}</translation>
+        <translation>▲ Mains loin&#xa0;: {0}</translation>
     </message>
     <message>
         <source>▲ Hands off: not read yet</source>
-        <translation>▲ Mains loin : pas encore lu</translation>
+        <translation>▲ Mains loin&#xa0;: pas encore lu</translation>
     </message>
     <message>
         <source>▲ Hands off: not read since {0}; move the mouse, and it is read again</source>
-        <translation>▲ Mains loin : pas lu depuis {0} ; bougez la souris et la lecture reprend</translation>
+        <translation>▲ Mains loin&#xa0;: pas lu depuis {0}&#xa0;; bougez la souris et la lecture reprend</translation>
     </message>
     <message>
         <source>▲ Hands off: the coils are not being read</source>
-        <translation>▲ Mains loin : les bobines ne sont pas lues</translation>
+        <translation>▲ Mains loin&#xa0;: les bobines ne sont pas lues</translation>
     </message>
     <message>
         <source>▲ Hands off: the platform is not being read</source>
-        <translation>▲ Mains loin : la plate-forme n’est pas lue</translation>
+        <translation>▲ Mains loin&#xa0;: la plate-forme n’est pas lue</translation>
     </message>
     <message>
         <source>✓ Hands may go in: {0}</source>
-        <translation>✓ Les mains peuvent entrer : {0}</translation>
+        <translation>✓ Les mains peuvent entrer&#xa0;: {0}</translation>
     </message>
     <message>
         <source>● Hands may go in: {0}</source>
-        <translation>● Les mains peuvent entrer : {0}</translation>
+        <translation>● Les mains peuvent entrer&#xa0;: {0}</translation>
     </message>
     <message>
         <source>▲ Hands off: a run of {0} was cut off; the coils are not known</source>
-        <translation>▲ Mains loin : une mesure de {0} a été coupée ; l&apos;état des bobines n&apos;est pas connu</translation>
+        <translation>▲ Mains loin&#xa0;: une mesure de {0} a été coupée&#xa0;; l&apos;état des bobines n&apos;est pas connu</translation>
     </message>
     <message>
         <source>▲ Hands off: another process drives a run of {0}; the coils may be on</source>
-        <translation>▲ Mains loin : un autre processus conduit une mesure de {0} ; les bobines sont peut-être alimentées</translation>
+        <translation>▲ Mains loin&#xa0;: un autre processus conduit une mesure de {0}&#xa0;; les bobines sont peut-être alimentées</translation>
     </message>
     <message>
         <source>COILS OFF done {0}: {1}</source>
-        <translation>BOBINES À ZÉRO fait à {0} : {1}</translation>
+        <translation>BOBINES À ZÉRO fait à {0}&#xa0;: {1}</translation>
     </message>
     <message>
         <source>stop it at its controller, and see it stand</source>
@@ -9458,7 +9478,7 @@
     </message>
     <message>
         <source>press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its controller</source>
-        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12) : cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
+        <translation>appuyez d’abord sur BOBINES À ZÉRO (F12)&#xa0;: cela arrête aussi la plate-forme, si elle est joignable. Si elle tourne encore, arrêtez-la à son contrôleur</translation>
     </message>
     <message>
         <source>COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller</source>
@@ -9478,19 +9498,19 @@
     </message>
     <message>
         <source>The error has a cause: {0}. It is in the draft, which may be signed.</source>
-        <translation>L&apos;erreur a une cause : {0}. Elle est dans le projet, qui peut être signé.</translation>
+        <translation>L&apos;erreur a une cause&#xa0;: {0}. Elle est dans le projet, qui peut être signé.</translation>
     </message>
     <message>
         <source>A part of the error has a cause: {0}. It is in the draft; something else is left over: see 4 before you sign.</source>
-        <translation>Une part de l&apos;erreur a une cause : {0}. Elle est dans le projet ; il reste autre chose : voir 4 avant de signer.</translation>
+        <translation>Une part de l&apos;erreur a une cause&#xa0;: {0}. Elle est dans le projet&#xa0;; il reste autre chose&#xa0;: voir 4 avant de signer.</translation>
     </message>
     <message>
         <source>This may be the cause: {0}. Another one does as well: measure what tells them apart (4), then sign.</source>
-        <translation>Ceci peut être la cause : {0}. Une autre convient aussi : mesurez ce qui les distingue (4), puis signez.</translation>
+        <translation>Ceci peut être la cause&#xa0;: {0}. Une autre convient aussi&#xa0;: mesurez ce qui les distingue (4), puis signez.</translation>
     </message>
     <message>
         <source>Something is wrong that nothing known explains. Do not sign: see 4.</source>
-        <translation>Quelque chose ne va pas que rien de connu n&apos;explique. Ne signez pas : voir 4.</translation>
+        <translation>Quelque chose ne va pas que rien de connu n&apos;explique. Ne signez pas&#xa0;: voir 4.</translation>
     </message>
     <message>
         <source>▲ NOT ENOUGH FOR A WHOLE MAP</source>
@@ -9498,15 +9518,15 @@
     </message>
     <message>
         <source>This run does not determine the whole map: too few axes or fields were measured, so no cause was searched for. That says nothing against the DUT. What to measure stands at 4.</source>
-        <translation>Cette mesure ne détermine pas toute l’application : trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
+        <translation>Cette mesure ne détermine pas toute l’application&#xa0;: trop peu d’axes ou de champs ont été mesurés, donc aucune cause n’a été cherchée. Cela ne dit rien contre le DUT. Ce qui est à mesurer est dit en 4.</translation>
     </message>
     <message>
         <source>rms of the vector, with declared errors; noise alone {0} nT rms</source>
-        <translation>rms du vecteur, avec les erreurs déclarées ; bruit seul {0} nT rms</translation>
+        <translation>rms du vecteur, avec les erreurs déclarées&#xa0;; bruit seul {0} nT rms</translation>
     </message>
     <message>
         <source>before → after: held-out rms of the vector, with the errors in it that the run declares of reference and mounting; noise alone, of one such row: {0} nT, {1}; the figure on the Fit page is of |b| alone, without direction</source>
-        <translation>avant → après : rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage ; bruit seul, d’une telle ligne : {0} nT, {1} ; le chiffre de la page Fit porte sur |b| seul, sans la direction</translation>
+        <translation>avant → après&#xa0;: rms mis de côté du vecteur, avec les erreurs que la mesure déclare de sa référence et du montage&#xa0;; bruit seul, d’une telle ligne&#xa0;: {0} nT, {1}&#xa0;; le chiffre de la page Fit porte sur |b| seul, sans la direction</translation>
     </message>
     <message>
         <source>explains nothing beyond what is named already</source>
@@ -9518,7 +9538,7 @@
     </message>
     <message>
         <source>in files and commands: {0}</source>
-        <translation>dans les fichiers et les commandes : {0}</translation>
+        <translation>dans les fichiers et les commandes&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} and {1}</source>
@@ -9566,7 +9586,7 @@
     </message>
     <message>
         <source>Fit, Loop, Certificate: Next leads there.</source>
-        <translation>Ajuster, Causes, Certificat : Suite y mène.</translation>
+        <translation>Ajuster, Causes, Certificat&#xa0;: Suite y mène.</translation>
     </message>
     <message>
         <source>No calibration of a DUT comes of this procedure. Next leads on.</source>
@@ -9574,7 +9594,7 @@
     </message>
     <message>
         <source>Within U of its limit: measure that part again, or Fit and see.</source>
-        <translation>À moins de U de sa limite : remesurez cette partie, ou ajustez pour voir.</translation>
+        <translation>À moins de U de sa limite&#xa0;: remesurez cette partie, ou ajustez pour voir.</translation>
     </message>
     <message>
         <source>Look at what was measured, mend the cause, and measure again.</source>
@@ -9582,27 +9602,27 @@
     </message>
     <message>
         <source>Nothing of it had a limit: look at what was measured.</source>
-        <translation>Rien n&apos;avait de limite : regardez ce qui a été mesuré.</translation>
+        <translation>Rien n&apos;avait de limite&#xa0;: regardez ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>What was measured is kept. To measure again: Close, then Begin.</source>
-        <translation>Le mesuré est gardé. Pour remesurer : Fermer, puis Démarrer.</translation>
+        <translation>Le mesuré est gardé. Pour remesurer&#xa0;: Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>Finished turns are kept; Go on measures the zero, the axes and the timing again, then what is missing.</source>
-        <translation>Les rotations terminées sont gardées ; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque.</translation>
+        <translation>Les rotations terminées sont gardées&#xa0;; Continuer mesure encore le zéro, les axes et les temps, puis ce qui manque.</translation>
     </message>
     <message>
         <source>Mend what is said above, then measure again: Close, then Begin.</source>
-        <translation>Réparez ce qui est dit plus haut, puis remesurez : Fermer, puis Démarrer.</translation>
+        <translation>Réparez ce qui est dit plus haut, puis remesurez&#xa0;: Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>PASS of the measurement: |value| + U (k=2) is within its limit ({0} of {0}).</source>
-        <translation>CONFORME est la mesure : |valeur| + U (k=2) est dans la limite ({0} sur {0}).</translation>
+        <translation>CONFORME est la mesure&#xa0;: |valeur| + U (k=2) est dans la limite ({0} sur {0}).</translation>
     </message>
     <message>
         <source>Not measured: {0}.</source>
-        <translation>Non mesuré : {0}.</translation>
+        <translation>Non mesuré&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>{0}, without {1}</source>
@@ -9614,15 +9634,15 @@
     </message>
     <message>
         <source>Nothing was measured, so this says nothing of the DUT.</source>
-        <translation>Rien n&apos;a été mesuré : cela ne dit rien du DUT.</translation>
+        <translation>Rien n&apos;a été mesuré&#xa0;: cela ne dit rien du DUT.</translation>
     </message>
     <message>
         <source>It cannot be gone on with: a result of {0} is worked out from one recording without a gap.</source>
-        <translation>Il ne peut pas être repris : un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
+        <translation>Il ne peut pas être repris&#xa0;: un résultat de {0} se calcule d&apos;un seul enregistrement sans lacune.</translation>
     </message>
     <message>
         <source>The delay is how late the DUT reads behind the platform&apos;s angle. It comes of turns there and back about one axis without a break between; after Go on too few of those are left. To get it: sync-check, or a new preflight.</source>
-        <translation>Le retard est celui de la lecture du DUT sur l&apos;angle de la plateforme. Il vient de tours aller et retour autour d&apos;un axe sans interruption ; après Continuer, il en reste trop peu. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
+        <translation>Le retard est celui de la lecture du DUT sur l&apos;angle de la plateforme. Il vient de tours aller et retour autour d&apos;un axe sans interruption&#xa0;; après Continuer, il en reste trop peu. Pour l&apos;obtenir&#xa0;: sync-check, ou un nouveau preflight.</translation>
     </message>
     <message>
         <source>How good the calibration is, Fit and Loop judge.</source>
@@ -9630,15 +9650,15 @@
     </message>
     <message>
         <source>Fit, and trace what is left over. Still open then? Measure longer, or with less noise.</source>
-        <translation>Ajustez, puis expliquez le résidu. Toujours indécis ? Mesurez plus longtemps, ou avec moins de bruit.</translation>
+        <translation>Ajustez, puis expliquez le résidu. Toujours indécis&#xa0;? Mesurez plus longtemps, ou avec moins de bruit.</translation>
     </message>
     <message>
         <source>One axis: not enough for a calibration by itself. Measure the others too, or a preflight.</source>
-        <translation>Un axe : seul, il ne suffit pas à un étalonnage. Mesurez aussi les autres, ou un preflight.</translation>
+        <translation>Un axe&#xa0;: seul, il ne suffit pas à un étalonnage. Mesurez aussi les autres, ou un preflight.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: finished turns are kept; the zero, the axes, the timing and the step that broke off are measured again.</source>
-        <translation>Réparez ce qui est dit plus haut, puis Continuer : les rotations terminées sont gardées ; le zéro, les axes, les temps et l’étape interrompue sont mesurés encore.</translation>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer&#xa0;: les rotations terminées sont gardées&#xa0;; le zéro, les axes, les temps et l’étape interrompue sont mesurés encore.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on.</source>
@@ -9646,35 +9666,35 @@
     </message>
     <message>
         <source>No turn was finished: Go on begins with the first step again, and uses nothing of what was measured.</source>
-        <translation>Aucune rotation n’est terminée : Continuer commence de nouveau à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+        <translation>Aucune rotation n’est terminée&#xa0;: Continuer commence de nouveau à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>Mend what is said above, then Go on: no turn was finished, so it begins with the first step again, and uses nothing of what was measured.</source>
-        <translation>Réparez ce qui est dit plus haut, puis Continuer : aucune rotation n’est terminée, donc cela recommence à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
+        <translation>Réparez ce qui est dit plus haut, puis Continuer&#xa0;: aucune rotation n’est terminée, donc cela recommence à la première étape et n’utilise rien de ce qui a été mesuré.</translation>
     </message>
     <message>
         <source>Nothing was measured: Go on begins with the first step.</source>
-        <translation>Rien n&apos;a été mesuré : Continuer commence par la première étape.</translation>
+        <translation>Rien n&apos;a été mesuré&#xa0;: Continuer commence par la première étape.</translation>
     </message>
     <message>
         <source>To measure again: Close, then Begin.</source>
-        <translation>Pour remesurer : Fermer, puis Démarrer.</translation>
+        <translation>Pour remesurer&#xa0;: Fermer, puis Démarrer.</translation>
     </message>
     <message>
         <source>FAIL where |value| − U (k=2) is beyond the limit: {0}.</source>
-        <translation>NON CONFORME si |valeur| − U (k=2) dépasse la limite : {0}.</translation>
+        <translation>NON CONFORME si |valeur| − U (k=2) dépasse la limite&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>MARGINAL where the limit lies within ± U (k=2): {0}.</source>
-        <translation>LIMITE si la limite est dans ± U (k=2) : {0}.</translation>
+        <translation>LIMITE si la limite est dans ± U (k=2)&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>CANNOT DECIDE where U (k=2) exceeds half the limit: {0}.</source>
-        <translation>INDÉCIDABLE si U (k=2) dépasse la moitié de la limite : {0}.</translation>
+        <translation>INDÉCIDABLE si U (k=2) dépasse la moitié de la limite&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>It did not come to its end, so it has no verdict, and gives no calibration.</source>
-        <translation>Elle n&apos;est pas arrivée à sa fin : ni verdict, ni étalonnage.</translation>
+        <translation>Elle n&apos;est pas arrivée à sa fin&#xa0;: ni verdict, ni étalonnage.</translation>
     </message>
     <message>
         <source>DONE</source>
@@ -9718,7 +9738,7 @@
     </message>
     <message>
         <source>Do not use it any more: measure anew, or take the calibration that came after it.</source>
-        <translation>Ne plus l’utiliser : mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
+        <translation>Ne plus l’utiliser&#xa0;: mesurer à nouveau, ou prendre l’étalonnage qui l’a suivi.</translation>
     </message>
     <message>
         <source>Good until {0}.</source>
@@ -9726,11 +9746,11 @@
     </message>
     <message>
         <source>No last day of use is stated: it never expires by itself.</source>
-        <translation>Aucun dernier jour n’est indiqué : il n’expire jamais de lui-même.</translation>
+        <translation>Aucun dernier jour n’est indiqué&#xa0;: il n’expire jamais de lui-même.</translation>
     </message>
     <message>
         <source>That day is stated by who approves (2), by the interval of your lab; labcal works none out here.</source>
-        <translation>Ce jour est indiqué par qui approuve (2), selon l’intervalle de votre labo ; labcal n’en calcule aucun ici.</translation>
+        <translation>Ce jour est indiqué par qui approuve (2), selon l’intervalle de votre labo&#xa0;; labcal n’en calcule aucun ici.</translation>
     </message>
     <message>
         <source>So it was stated when it was approved.</source>
@@ -9746,15 +9766,15 @@
     </message>
     <message>
         <source>UNEXPLAINED: what is left of held-out rows has no known cause, and U takes it for random.</source>
-        <translation>INEXPLIQUÉ : ce qui reste dans les lignes réservées n&apos;a pas de cause connue, et U le prend pour aléatoire.</translation>
+        <translation>INEXPLIQUÉ&#xa0;: ce qui reste dans les lignes réservées n&apos;a pas de cause connue, et U le prend pour aléatoire.</translation>
     </message>
     <message>
         <source>Its run did not measure {0}: they were held as they stand.</source>
-        <translation>Sa mesure n&apos;a pas déterminé {0} : ils sont restés tels quels.</translation>
+        <translation>Sa mesure n&apos;a pas déterminé {0}&#xa0;: ils sont restés tels quels.</translation>
     </message>
     <message>
         <source>Nobody can approve it: turn about the other body axes as well.</source>
-        <translation>Personne ne peut l&apos;approuver : tourner aussi autour des autres axes du corps.</translation>
+        <translation>Personne ne peut l&apos;approuver&#xa0;: tourner aussi autour des autres axes du corps.</translation>
     </message>
     <message>
         <source>Signed it stays PROVISIONAL, for its run did not measure it whole.</source>
@@ -9762,15 +9782,15 @@
     </message>
     <message>
         <source>As {0}: why is said above.</source>
-        <translation>Comme {0} : la raison est dite plus haut.</translation>
+        <translation>Comme {0}&#xa0;: la raison est dite plus haut.</translation>
     </message>
     <message>
         <source>Handed out as {0}. Next: another DUT.</source>
-        <translation>Remis comme {0}. Ensuite : un autre DUT.</translation>
+        <translation>Remis comme {0}. Ensuite&#xa0;: un autre DUT.</translation>
     </message>
     <message>
         <source>AMBIGUOUS, the cause is not certain: {0}. It may be another: {1}.</source>
-        <translation>AMBIGU, la cause n&apos;est pas sûre : {0}. Il peut y en avoir une autre : {1}.</translation>
+        <translation>AMBIGU, la cause n&apos;est pas sûre&#xa0;: {0}. Il peut y en avoir une autre&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>PROVISIONAL</source>
@@ -9790,35 +9810,35 @@
     </message>
     <message>
         <source>Offset and gains did not come out of these rows, so nothing can be traced or signed of this run. The DUT may still be good.</source>
-        <translation>Décalage et gains ne sont pas sortis de ces lignes : rien de cette mesure ne peut être expliqué ni signé. Le DUT peut être bon malgré tout.</translation>
+        <translation>Décalage et gains ne sont pas sortis de ces lignes&#xa0;: rien de cette mesure ne peut être expliqué ni signé. Le DUT peut être bon malgré tout.</translation>
     </message>
     <message>
         <source>Why: {0}.</source>
-        <translation>Pourquoi : {0}.</translation>
+        <translation>Pourquoi&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Next: the other methods. Some of them need less of a run.</source>
-        <translation>Ensuite : les autres méthodes. Certaines demandent moins d&apos;une mesure.</translation>
+        <translation>Ensuite&#xa0;: les autres méthodes. Certaines demandent moins d&apos;une mesure.</translation>
     </message>
     <message>
         <source>Next: measure again, with turns about x, y and z and in more than one magnitude, as preflight does it. Look first at the pictures below: a turn that stands apart from the others is the one that went wrong.</source>
-        <translation>Ensuite : mesurer de nouveau, avec des rotations autour de x, y et z et à plus d&apos;une intensité, comme le fait preflight. Regarder d&apos;abord les figures ci-dessous : une rotation à l&apos;écart des autres est celle qui a mal tourné.</translation>
+        <translation>Ensuite&#xa0;: mesurer de nouveau, avec des rotations autour de x, y et z et à plus d&apos;une intensité, comme le fait preflight. Regarder d&apos;abord les figures ci-dessous&#xa0;: une rotation à l&apos;écart des autres est celle qui a mal tourné.</translation>
     </message>
     <message>
         <source>Without a result: {0}. What is said above is of {1}, and does not rest on them.</source>
-        <translation>Sans résultat : {0}. Ce qui est dit plus haut est de {1}, et ne repose pas dessus.</translation>
+        <translation>Sans résultat&#xa0;: {0}. Ce qui est dit plus haut est de {1}, et ne repose pas dessus.</translation>
     </message>
     <message>
         <source>Without a result: {0}.</source>
-        <translation>Sans résultat : {0}.</translation>
+        <translation>Sans résultat&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>What is left over is the rms of |b| in held-out rows; its noise is what is stated of |b| in one reading. The figure on the Loop page is of the whole vector in such rows, its direction too.</source>
-        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté ; son bruit est celui indiqué de |b| d&apos;une lecture. Le chiffre de la page Loop porte sur tout le vecteur de ces lignes, direction comprise.</translation>
+        <translation>Ce qui reste est le rms de |b| dans les lignes mises de côté&#xa0;; son bruit est celui indiqué de |b| d&apos;une lecture. Le chiffre de la page Loop porte sur tout le vecteur de ces lignes, direction comprise.</translation>
     </message>
     <message>
         <source>{0} nT rms of |b| are left over; no noise is stated to compare it with.</source>
-        <translation>Il reste {0} nT rms de |b| ; aucun bruit n&apos;est indiqué pour comparer.</translation>
+        <translation>Il reste {0} nT rms de |b|&#xa0;; aucun bruit n&apos;est indiqué pour comparer.</translation>
     </message>
     <message>
         <source>No specification is stated.</source>
@@ -9830,23 +9850,23 @@
     </message>
     <message>
         <source>✓ The calibration is good in size: {0} nT rms of |b| are left over, no more than its noise, {1} nT rms. The loop judges the direction.</source>
-        <translation>✓ L&apos;étalonnage est bon en intensité : il reste {0} nT rms de |b|, pas plus que son bruit, {1} nT rms. La page Causes juge la direction.</translation>
+        <translation>✓ L&apos;étalonnage est bon en intensité&#xa0;: il reste {0} nT rms de |b|, pas plus que son bruit, {1} nT rms. La page Causes juge la direction.</translation>
     </message>
     <message>
         <source>▲ The map alone is not enough: {0} nT rms of |b| are left over, its noise is {1} nT rms.</source>
-        <translation>▲ La transformation seule ne suffit pas : il reste {0} nT rms de |b|, son bruit est de {1} nT rms.</translation>
+        <translation>▲ La transformation seule ne suffit pas&#xa0;: il reste {0} nT rms de |b|, son bruit est de {1} nT rms.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The Loop page says what was found.</source>
-        <translation>Le résidu a été examiné : {0}. La page Causes dit ce qui a été trouvé.</translation>
+        <translation>Le résidu a été examiné&#xa0;: {0}. La page Causes dit ce qui a été trouvé.</translation>
     </message>
     <message>
         <source>The residual was traced: {0}. The loop&apos;s draft holds its cause.</source>
-        <translation>Le résidu a été examiné : {0}. Sa cause est dans le projet fait par la page Causes.</translation>
+        <translation>Le résidu a été examiné&#xa0;: {0}. Sa cause est dans le projet fait par la page Causes.</translation>
     </message>
     <message>
         <source>▲ This run does not determine the whole map, however little is left over: {0}. It is good for a check, and for no calibration.</source>
-        <translation>▲ Cette mesure ne détermine pas toute l’application, si peu qu’il reste : {0}. Elle vaut pour une vérification, et pour aucun étalonnage.</translation>
+        <translation>▲ Cette mesure ne détermine pas toute l’application, si peu qu’il reste&#xa0;: {0}. Elle vaut pour une vérification, et pour aucun étalonnage.</translation>
     </message>
     <message>
         <source>Opening the simulated lab …</source>
@@ -9862,7 +9882,7 @@
     </message>
     <message>
         <source>The guardian is a program of its own beside labcal: it holds the lines of the supplies, and takes every coil to zero when a session ends, breaks off or no longer answers.</source>
-        <translation>Le gardien est un programme à part, à côté de labcal : il tient les lignes des alimentations et ramène chaque bobine à zéro quand une session se termine, s’interrompt ou ne répond plus.</translation>
+        <translation>Le gardien est un programme à part, à côté de labcal&#xa0;: il tient les lignes des alimentations et ramène chaque bobine à zéro quand une session se termine, s’interrompt ou ne répond plus.</translation>
     </message>
     <message>
         <source>✕ No answer from {0}</source>
@@ -9874,19 +9894,19 @@
     </message>
     <message>
         <source>Here that is “{0}”.</source>
-        <translation>Ici, c’est « {0} ».</translation>
+        <translation>Ici, c’est «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>The run did not end by itself within seconds, so its process was ended.</source>
-        <translation>La mesure ne s&apos;est pas terminée d&apos;elle-même en quelques secondes : son processus a été arrêté.</translation>
+        <translation>La mesure ne s&apos;est pas terminée d&apos;elle-même en quelques secondes&#xa0;: son processus a été arrêté.</translation>
     </message>
     <message>
         <source>Then “{0}”.</source>
-        <translation>Puis « {0} ».</translation>
+        <translation>Puis «&#xa0;{0}&#xa0;».</translation>
     </message>
     <message>
         <source>Kept of this run: {0}</source>
-        <translation>Conservé de cette mesure : {0}</translation>
+        <translation>Conservé de cette mesure&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} → {1} nT rms of the vector, noise alone {2} nT rms</source>
@@ -9898,7 +9918,7 @@
     </message>
     <message>
         <source>A run goes on: the coils may be on. Hands off.</source>
-        <translation>Une mesure est en cours : les bobines sont peut-être alimentées. Mains loin.</translation>
+        <translation>Une mesure est en cours&#xa0;: les bobines sont peut-être alimentées. Mains loin.</translation>
     </message>
     <message>
         <source>Starting</source>
@@ -9922,7 +9942,7 @@
     </message>
     <message>
         <source>HANDS OFF – no answer from {0}; {1}</source>
-        <translation>MAINS LOIN – pas de réponse de {0} ; {1}</translation>
+        <translation>MAINS LOIN – pas de réponse de {0}&#xa0;; {1}</translation>
     </message>
     <message>
         <source>HANDS OFF – {0}</source>
@@ -9970,31 +9990,31 @@
     </message>
     <message>
         <source>{0}: no answer from {1}</source>
-        <translation>{0} : pas de réponse de {1}</translation>
+        <translation>{0}&#xa0;: pas de réponse de {1}</translation>
     </message>
     <message>
         <source>▲ One interruption: {0}. Measured again: {1}.</source>
-        <translation>▲ Une interruption : {0}. Mesuré de nouveau : {1}.</translation>
+        <translation>▲ Une interruption&#xa0;: {0}. Mesuré de nouveau&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>▲ {0} interruptions: {1}. Measured again: {2}.</source>
-        <translation>▲ {0} interruptions : {1}. Mesuré de nouveau : {2}.</translation>
+        <translation>▲ {0} interruptions&#xa0;: {1}. Mesuré de nouveau&#xa0;: {2}.</translation>
     </message>
     <message>
         <source>▲ One interruption: {0}.</source>
-        <translation>▲ Une interruption : {0}.</translation>
+        <translation>▲ Une interruption&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>▲ {0} interruptions: {1}.</source>
-        <translation>▲ {0} interruptions : {1}.</translation>
+        <translation>▲ {0} interruptions&#xa0;: {1}.</translation>
     </message>
     <message>
         <source>at {0}, for {1}</source>
-        <translation>à {0}, durée : {1}</translation>
+        <translation>à {0}, durée&#xa0;: {1}</translation>
     </message>
     <message>
         <source>before its first step, for {0}</source>
-        <translation>avant la première étape, durée : {0}</translation>
+        <translation>avant la première étape, durée&#xa0;: {0}</translation>
     </message>
     <message>
         <source>at {0}</source>
@@ -10022,27 +10042,27 @@
     </message>
     <message>
         <source>Noted, in the run&apos;s record (History shows it): {0}</source>
-        <translation>Noté, dans l&apos;enregistrement de la mesure (l&apos;historique le montre) : {0}</translation>
+        <translation>Noté, dans l&apos;enregistrement de la mesure (l&apos;historique le montre)&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Noted: {0}</source>
-        <translation>Noté : {0}</translation>
+        <translation>Noté&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The procedure noted {0} more, the last: {1}</source>
-        <translation>La procédure en a noté {0} de plus, le dernier : {1}</translation>
+        <translation>La procédure en a noté {0} de plus, le dernier&#xa0;: {1}</translation>
     </message>
     <message>
         <source>Estimates on the way: {0} notes; no verdict rests on them.</source>
-        <translation>Estimations en cours de route : {0} notes ; aucun verdict ne repose sur ces estimations.</translation>
+        <translation>Estimations en cours de route&#xa0;: {0} notes&#xa0;; aucun verdict ne repose sur ces estimations.</translation>
     </message>
     <message>
         <source>Estimates on the way: 1 note; no verdict rests on it.</source>
-        <translation>Estimations en cours de route : 1 note ; aucun verdict ne repose sur cette estimation.</translation>
+        <translation>Estimations en cours de route&#xa0;: 1 note&#xa0;; aucun verdict ne repose sur cette estimation.</translation>
     </message>
     <message>
         <source>▲ Open in the run itself: {0}. An approval takes that as it is.</source>
-        <translation>▲ Ouvert dans la mesure même : {0}. Une approbation l&apos;accepte tel quel.</translation>
+        <translation>▲ Ouvert dans la mesure même&#xa0;: {0}. Une approbation l&apos;accepte tel quel.</translation>
     </message>
     <message>
         <source>{0} not measured</source>
@@ -10050,11 +10070,11 @@
     </message>
     <message>
         <source>(not seen: {0})</source>
-        <translation>(non vu : {0})</translation>
+        <translation>(non vu&#xa0;: {0})</translation>
     </message>
     <message>
         <source>{0} COILS OFF: {1}</source>
-        <translation>{0} BOBINES À ZÉRO : {1}</translation>
+        <translation>{0} BOBINES À ZÉRO&#xa0;: {1}</translation>
     </message>
     <message>
         <source>the reference agreed {0}</source>
@@ -10066,23 +10086,23 @@
     </message>
     <message>
         <source>No comparison: run {0} is {1}; what it lacks would look like a change.</source>
-        <translation>Pas de comparaison : la mesure {0} est {1} ; ce qui lui manque semblerait un changement.</translation>
+        <translation>Pas de comparaison&#xa0;: la mesure {0} est {1}&#xa0;; ce qui lui manque semblerait un changement.</translation>
     </message>
     <message>
         <source>{0}: {1} A when last read, {2}</source>
-        <translation>{0} : {1} A à la dernière lecture, {2}</translation>
+        <translation>{0}&#xa0;: {1} A à la dernière lecture, {2}</translation>
     </message>
     <message>
         <source>{0}: see to plug, power and cable.</source>
-        <translation>{0} : voir prise, alimentation et câble.</translation>
+        <translation>{0}&#xa0;: voir prise, alimentation et câble.</translation>
     </message>
     <message>
         <source>Read all asks again.</source>
-        <translation>« Tout lire » interroge de nouveau.</translation>
+        <translation>«&#xa0;Tout lire&#xa0;» interroge de nouveau.</translation>
     </message>
     <message>
         <source>they have answered at these links before: are their plugs in at both ends, and have they power?</source>
-        <translation>ils ont déjà répondu sur ces liaisons : leurs fiches sont-elles branchées aux deux bouts, et sont-ils alimentés ?</translation>
+        <translation>ils ont déjà répondu sur ces liaisons&#xa0;: leurs fiches sont-elles branchées aux deux bouts, et sont-ils alimentés&#xa0;?</translation>
     </message>
     <message>
         <source>The guardian is lost. COILS OFF (F12) works without it.</source>
@@ -10122,11 +10142,11 @@
     </message>
     <message>
         <source>Put that right first: see to plug and power. “Hands off” is not taken before it answers.</source>
-        <translation>Remédiez-y d&apos;abord : voyez la prise et l&apos;alimentation. « Mains loin » n&apos;est pas accepté avant qu&apos;il réponde.</translation>
+        <translation>Remédiez-y d&apos;abord&#xa0;: voyez la prise et l&apos;alimentation. «&#xa0;Mains loin&#xa0;» n&apos;est pas accepté avant qu&apos;il réponde.</translation>
     </message>
     <message>
         <source>See to plug and power as well: nothing is measured before it answers.</source>
-        <translation>Voyez aussi la prise et l&apos;alimentation : rien n&apos;est mesuré avant qu&apos;il réponde.</translation>
+        <translation>Voyez aussi la prise et l&apos;alimentation&#xa0;: rien n&apos;est mesuré avant qu&apos;il réponde.</translation>
     </message>
     <message>
         <source>{0} (since {1})</source>
@@ -10146,23 +10166,23 @@
     </message>
     <message>
         <source>No answer from all {0} instruments at {1}: look at their common line, not at each plug.</source>
-        <translation>Pas de réponse des {0} appareils à {1} : voyez leur ligne commune, et non chaque prise.</translation>
+        <translation>Pas de réponse des {0} appareils à {1}&#xa0;: voyez leur ligne commune, et non chaque prise.</translation>
     </message>
     <message>
         <source>No answer from all {0} instruments: is the rack’s power off, or the adapter or network gone?</source>
-        <translation>Pas de réponse des {0} instruments : la baie est-elle hors tension, ou l’adaptateur ou le réseau absent ?</translation>
+        <translation>Pas de réponse des {0} instruments&#xa0;: la baie est-elle hors tension, ou l’adaptateur ou le réseau absent&#xa0;?</translation>
     </message>
     <message>
         <source>No answer from {0} instruments, all {1} at {2} among them: look at that common line first.</source>
-        <translation>Pas de réponse de {0} appareils, dont les {1} à {2} : voyez d&apos;abord cette ligne commune.</translation>
+        <translation>Pas de réponse de {0} appareils, dont les {1} à {2}&#xa0;: voyez d&apos;abord cette ligne commune.</translation>
     </message>
     <message>
         <source>{0}: answers again</source>
-        <translation>{0} : répond de nouveau</translation>
+        <translation>{0}&#xa0;: répond de nouveau</translation>
     </message>
     <message>
         <source>✓ The zero was checked: supplies and reference agree. A run may begin again.</source>
-        <translation>✓ Le zéro a été vérifié : alimentations et référence s’accordent. Une mesure peut de nouveau commencer.</translation>
+        <translation>✓ Le zéro a été vérifié&#xa0;: alimentations et référence s’accordent. Une mesure peut de nouveau commencer.</translation>
     </message>
     <message>
         <source>the certificate, for people</source>
@@ -10234,23 +10254,23 @@
     </message>
     <message>
         <source>By the method {0}. Zero reading: what the sensor indicates in no field; the offset k of b = K m − k is under Map.</source>
-        <translation>Par la méthode {0}. Lecture à zéro : ce que le capteur indique sans champ ; le décalage k de b = K m − k est sous Transformation.</translation>
+        <translation>Par la méthode {0}. Lecture à zéro&#xa0;: ce que le capteur indique sans champ&#xa0;; le décalage k de b = K m − k est sous Transformation.</translation>
     </message>
     <message>
         <source>U of one component of the field: up to {0} nT (k = 2), {1} % of it from {2}.</source>
-        <translation>U d&apos;une composante du champ : jusqu&apos;à {0} nT (k = 2), dont {1} % de {2}.</translation>
+        <translation>U d&apos;une composante du champ&#xa0;: jusqu&apos;à {0} nT (k = 2), dont {1} % de {2}.</translation>
     </message>
     <message>
         <source>U of one component of the field: {0} nT (k = 2), mostly from the mounting, declared good to {1}°.</source>
-        <translation>U d&apos;une composante du champ : {0} nT (k = 2), surtout du montage, déclaré exact à {1}°.</translation>
+        <translation>U d&apos;une composante du champ&#xa0;: {0} nT (k = 2), surtout du montage, déclaré exact à {1}°.</translation>
     </message>
     <message>
         <source>To lower it, mount more exactly and declare that (u_mounting_deg): docs/certificate.md</source>
-        <translation>Pour le réduire, monter plus exactement et le déclarer (u_mounting_deg) : docs/certificate.md</translation>
+        <translation>Pour le réduire, monter plus exactement et le déclarer (u_mounting_deg)&#xa0;: docs/certificate.md</translation>
     </message>
     <message>
         <source>What it is made of: docs/certificate.md</source>
-        <translation>De quoi il est fait : docs/certificate.md</translation>
+        <translation>De quoi il est fait&#xa0;: docs/certificate.md</translation>
     </message>
     <message>
         <source>the declared mounting ({0})</source>
@@ -10262,7 +10282,7 @@
     </message>
     <message>
         <source>the field says: still on ({1}, {0} µT more than with the coils off, {2})</source>
-        <translation>le champ dit : encore en marche ({1}, {0} µT de plus que les bobines coupées, {2})</translation>
+        <translation>le champ dit&#xa0;: encore en marche ({1}, {0} µT de plus que les bobines coupées, {2})</translation>
     </message>
     <message>
         <source>a coil is still on by the field</source>
@@ -10270,15 +10290,15 @@
     </message>
     <message>
         <source>✕ HANDS OFF: a coil is still on, the field says so</source>
-        <translation>✕ MAINS LOIN : une bobine est encore alimentée, le champ le dit</translation>
+        <translation>✕ MAINS LOIN&#xa0;: une bobine est encore alimentée, le champ le dit</translation>
     </message>
     <message>
         <source>{0}: not confirmed at zero when the window closed, {1}</source>
-        <translation>{0} : zéro non confirmé à la fermeture de la fenêtre, {1}</translation>
+        <translation>{0}&#xa0;: zéro non confirmé à la fermeture de la fenêtre, {1}</translation>
     </message>
     <message>
         <source>{0}: not confirmed at a standstill when the window closed, {1}</source>
-        <translation>{0} : arrêt non confirmé à la fermeture de la fenêtre, {1}</translation>
+        <translation>{0}&#xa0;: arrêt non confirmé à la fermeture de la fenêtre, {1}</translation>
     </message>
     <message>
         <source>about {0} s more, said at {1}</source>
@@ -10286,11 +10306,11 @@
     </message>
     <message>
         <source>about {0} s more, longer than was said before; said at {1}</source>
-        <translation>encore environ {0} s, plus que ce qui avait été dit ; dit à {1}</translation>
+        <translation>encore environ {0} s, plus que ce qui avait été dit&#xa0;; dit à {1}</translation>
     </message>
     <message>
         <source>Next: {0}</source>
-        <translation>Suite : {0}</translation>
+        <translation>Suite&#xa0;: {0}</translation>
     </message>
     <message>
         <source>cannot be shown</source>
@@ -10302,15 +10322,15 @@
     </message>
     <message>
         <source>COILS OFF (F12), then switch off by hand: {0}</source>
-        <translation>BOBINES À ZÉRO (F12), puis couper à la main : {0}</translation>
+        <translation>BOBINES À ZÉRO (F12), puis couper à la main&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Switch off by hand: {0}</source>
-        <translation>Couper à la main : {0}</translation>
+        <translation>Couper à la main&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Still to be read: {0}</source>
-        <translation>Encore à lire : {0}</translation>
+        <translation>Encore à lire&#xa0;: {0}</translation>
     </message>
     <message>
         <source>{0} (last read {1})</source>
@@ -10318,7 +10338,7 @@
     </message>
     <message>
         <source>COILS OFF was pressed at {0}; nobody has confirmed it</source>
-        <translation>BOBINES À ZÉRO a été actionné à {0} ; personne ne l’a confirmé</translation>
+        <translation>BOBINES À ZÉRO a été actionné à {0}&#xa0;; personne ne l’a confirmé</translation>
     </message>
     <message>
         <source>zero, output open</source>
@@ -10330,23 +10350,23 @@
     </message>
     <message>
         <source>{0}: answers again, no answer from {1} to {2}</source>
-        <translation>{0} : répond de nouveau, pas de réponse de {1} à {2}</translation>
+        <translation>{0}&#xa0;: répond de nouveau, pas de réponse de {1} à {2}</translation>
     </message>
     <message>
         <source>▲ Not traced: {0} nT of |b| are left over beyond the map, and nobody has looked for their cause.</source>
-        <translation>▲ Résidu non expliqué : {0} nT de |b| restent au-delà de la transformation, et personne n&apos;en a cherché la cause.</translation>
+        <translation>▲ Résidu non expliqué&#xa0;: {0} nT de |b| restent au-delà de la transformation, et personne n&apos;en a cherché la cause.</translation>
     </message>
     <message>
         <source>To do here: {0}</source>
-        <translation>À faire ici : {0}</translation>
+        <translation>À faire ici&#xa0;: {0}</translation>
     </message>
     <message>
         <source>▲ Not traced: nobody has looked for the cause of what is left over beyond the map.</source>
-        <translation>▲ Résidu non expliqué : personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
+        <translation>▲ Résidu non expliqué&#xa0;: personne n&apos;a cherché la cause de ce qui reste au-delà de la transformation.</translation>
     </message>
     <message>
         <source>They are of two DUTs: their offsets and gains are no change of one, and stand in no table. Residuals and loci of both are drawn below.</source>
-        <translation>Elles sont de deux DUT : leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
+        <translation>Elles sont de deux DUT&#xa0;: leurs offsets et gains ne sont pas un changement d&apos;un seul, et ne sont dans aucun tableau. Les résidus et les lieux des deux sont tracés ci-dessous.</translation>
     </message>
     <message>
         <source>cause</source>
@@ -10390,7 +10410,7 @@
     </message>
     <message>
         <source>does about as well as “{0}”</source>
-        <translation>fait à peu près aussi bien que « {0} »</translation>
+        <translation>fait à peu près aussi bien que «&#xa0;{0}&#xa0;»</translation>
     </message>
     <message>
         <source>no evidence</source>
@@ -10402,11 +10422,11 @@
     </message>
     <message>
         <source>The instruments of your lab: open its bench file, and see that each answers.</source>
-        <translation>Les instruments de votre laboratoire : ouvrir le fichier du banc et voir que chacun répond.</translation>
+        <translation>Les instruments de votre laboratoire&#xa0;: ouvrir le fichier du banc et voir que chacun répond.</translation>
     </message>
     <message>
         <source>You mount the DUT about each axis; coils and platform do the rest.</source>
-        <translation>Vous montez le DUT autour de chaque axe ; bobines et plate-forme font le reste.</translation>
+        <translation>Vous montez le DUT autour de chaque axe&#xa0;; bobines et plate-forme font le reste.</translation>
     </message>
     <message>
         <source>Offset, scale and angles from that run, each with its uncertainty.</source>
@@ -10421,12 +10441,12 @@
         <translation>Une autre personne approuve, vous signez, et le fichier est remis.</translation>
     </message>
     <message>
-        <source>Kept: {0}.</source>
-        <translation>Conservé : {0}.</translation>
+        <source>Measured already, and kept: {0} (how late the reading follows the field).</source>
+        <translation>Déjà mesuré, et gardé&#xa0;: {0} (le retard de la lecture sur le champ).</translation>
     </message>
     <message>
         <source>Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. To get it: sync-check, or a new preflight.</source>
-        <translation>Perdu : {0}, qui vient de rotations aller et retour sans interruption, et il en reste trop peu à mesurer. Pour l&apos;obtenir : sync-check, ou un nouveau preflight.</translation>
+        <translation>Perdu&#xa0;: {0}, qui vient de rotations aller et retour sans interruption, et il en reste trop peu à mesurer. Pour l&apos;obtenir&#xa0;: sync-check, ou un nouveau preflight.</translation>
     </message>
     <message>
         <source>✓ done for this DUT</source>
@@ -10438,11 +10458,11 @@
     </message>
     <message>
         <source>▲ done, and something of it is open: the page says what</source>
-        <translation>▲ fait, et un point reste ouvert : la page dit lequel</translation>
+        <translation>▲ fait, et un point reste ouvert&#xa0;: la page dit lequel</translation>
     </message>
     <message>
         <source>✕ it failed: the page says why</source>
-        <translation>✕ cela a échoué : la page dit pourquoi</translation>
+        <translation>✕ cela a échoué&#xa0;: la page dit pourquoi</translation>
     </message>
     <message>
         <source>○ still to be done for this DUT</source>
@@ -10454,15 +10474,15 @@
     </message>
     <message>
         <source>● no answer within the last {0} s, for nobody asked: {1}. By themselves they are asked now and then.</source>
-        <translation>● pas de réponse dans les {0} dernières s, car personne n’a demandé : {1}. D’eux-mêmes ils sont interrogés de temps en temps.</translation>
+        <translation>● pas de réponse dans les {0} dernières s, car personne n’a demandé&#xa0;: {1}. D’eux-mêmes ils sont interrogés de temps en temps.</translation>
     </message>
     <message>
         <source>✕ no answer: {1}</source>
-        <translation>✕ pas de réponse : {1}</translation>
+        <translation>✕ pas de réponse&#xa0;: {1}</translation>
     </message>
     <message>
         <source>○ no instrument answered within the last {0} s; Read all asks them</source>
-        <translation>○ aucun instrument n’a répondu dans les {0} dernières s ; Tout lire les interroge</translation>
+        <translation>○ aucun instrument n’a répondu dans les {0} dernières s&#xa0;; Tout lire les interroge</translation>
     </message>
     <message>
         <source>✓ a run that this DUT can be calibrated by is finished</source>
@@ -10474,7 +10494,7 @@
     </message>
     <message>
         <source>○ no run yet that this DUT can be calibrated by: a preflight is one, a turn about one axis is none</source>
-        <translation>○ pas encore de mesure qui permette d’étalonner ce DUT : un preflight en est une, une rotation sur un axe n’en est pas une</translation>
+        <translation>○ pas encore de mesure qui permette d’étalonner ce DUT&#xa0;: un preflight en est une, une rotation sur un axe n’en est pas une</translation>
     </message>
     <message>
         <source>Open a bench file</source>
@@ -10489,6 +10509,10 @@
         <translation>pas lu au repos</translation>
     </message>
     <message>
+        <source>To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who it is.</source>
+        <translation>Le regarder ouvre son port&#xa0;: cela réinitialise bien des microcontrôleurs, ou change ce qu&apos;ils envoient. Tout lire lui demande qui il est.</translation>
+    </message>
+    <message>
         <source>read again in the next step</source>
         <translation>relu à l’étape suivante</translation>
     </message>
@@ -10498,15 +10522,15 @@
     </message>
     <message>
         <source>Being traced: {0}</source>
-        <translation>Résidu en cours d’explication : {0}</translation>
+        <translation>Résidu en cours d’explication&#xa0;: {0}</translation>
     </message>
     <message>
         <source>Being fitted: {0}</source>
-        <translation>Ajustement en cours : {0}</translation>
+        <translation>Ajustement en cours&#xa0;: {0}</translation>
     </message>
     <message>
         <source>The bench that was open stays open: {0}.</source>
-        <translation>Le banc qui était ouvert le reste : {0}.</translation>
+        <translation>Le banc qui était ouvert le reste&#xa0;: {0}.</translation>
     </message>
     <message>
         <source>Begun on the bench {0}.</source>
@@ -10514,7 +10538,7 @@
     </message>
     <message>
         <source>▲ Begun on the bench {0}; {1} is open. Open {0} first: with other instruments it does not go on.</source>
-        <translation>▲ Commencée sur le banc {0} ; {1} est ouvert. Ouvrez d&apos;abord {0} : avec d&apos;autres appareils, elle ne continue pas.</translation>
+        <translation>▲ Commencée sur le banc {0}&#xa0;; {1} est ouvert. Ouvrez d&apos;abord {0}&#xa0;: avec d&apos;autres appareils, elle ne continue pas.</translation>
     </message>
     <message>
         <source>{0} (simulated)</source>
@@ -10530,7 +10554,15 @@
     </message>
     <message>
         <source>The buttons of the run have just changed: nothing was done. Press again.</source>
-        <translation>Les boutons de la mesure viennent de changer : rien n&apos;a été fait. Appuyez de nouveau.</translation>
+        <translation>Les boutons de la mesure viennent de changer&#xa0;: rien n&apos;a été fait. Appuyez de nouveau.</translation>
+    </message>
+    <message>
+        <source>gain K {0} by {1}</source>
+        <translation>gain K {0} par {1}</translation>
+    </message>
+    <message>
+        <source>What a reading along {1} adds to the field along {0}.</source>
+        <translation>Ce qu&apos;une lecture selon {1} ajoute au champ selon {0}.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ from labcal.gui.translations.fits import BUDGET, FITS
 from labcal.gui.translations.lab_faults import LAB_FAULTS, OF_THE_WORK
 from labcal.gui.translations.loop import FINDINGS, PROGRESS, REASONS, SHAPES
 from labcal.gui.translations.procedures import EXPECTED, NAMES, NEEDS, SETTINGS, SHORTFALLS, TITLES
+from labcal.gui.translations.punctuation import as_set, listed_apart
 from labcal.gui.translations.steps import BENCH, EVENTS, MEASUREMENTS, PLAN, REFUSALS, STEPS
 
 COILS = (  # of several that fit the first counts; what stands for {0}, {1} … is itself such a sentence, or stays
@@ -231,14 +232,14 @@ def in_words(sentence: str) -> str:
         words = figure[1].replace("offset", "zero reading")  # as in the budget: k, which is no reading, is the offset
         return f"{QCoreApplication.translate('Words', words)} {figure[2]}"
     if sentence.startswith(f"{BY_WORD}: "):  # the record's words for it: here what it is, as hands are told it
-        return "; ".join(map(in_words, (BY_SUPPLIES, sentence.partition(": ")[2])))
+        return listed_apart([*map(in_words, (BY_SUPPLIES, sentence.partition(": ")[2]))])
     if found := form_of(sentence):
         return _filled_in(*found)
     for between in BREAKS:
         if len(parts := between.split(sentence, maxsplit=1)) == 2:
             return " ".join(map(in_words, parts))
     if sentence.endswith((".", ";")):
-        return f"{in_words(sentence[:-1])}{sentence[-1]}"
+        return f"{in_words(sentence[:-1])}{as_set(sentence[-1])}"
     if found := form_of(f"{sentence}."):  # a whole sentence within another one has lost its end
         return _filled_in(*found).removesuffix(".")
     return sentence

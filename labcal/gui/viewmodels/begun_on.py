@@ -8,6 +8,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.links.quoting import abridged
 from labcal.gui.ipc.answers import Bench, InstrumentAnswer, RunLine
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.record.bench_kind import REAL, SERVED, SIMULATED, kind_of
@@ -39,11 +40,8 @@ def another_bench(one: RunLine, facts: Bench | None, answered: Mapping[str, Inst
         said = answered.get(name)
         if said is not None and said.fault is None and said.identity not in ("", abridged(then)):
             why = f"{name} was {abridged(then)} when run {one.run_id} began, now it is {said.identity}"
-            return f"▲ {begun_on(one).removesuffix('.')}: {in_words(why)}"
-    now = kind_of(simulated=facts.virtual_time, served=facts.simulated)
-    known = now if one.simulated == facts.simulated else SIMULATED if one.simulated else REAL
-    then = one.bench_kind or known  # of a record that does not tell it
-    if one.bench == facts.name and then == now:
+            return with_head(f"▲ {begun_on(one).removesuffix('.')}", in_words(why))
+    if one.bench == facts.name and one.simulated == facts.simulated:
         return ""
     names = one.bench, facts.name
     if one.bench == facts.name:  # a simulated lab is called as the real one, and as what it is served as

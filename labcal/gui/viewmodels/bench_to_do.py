@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.links.heard_before import PLUG
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.app_state import AppState
@@ -41,7 +42,7 @@ def to_do(app_state: AppState) -> str:
 def _of_each(names: list[str], said: str) -> str:
     """The same question about several is asked once."""
     plural = len(names) > 1 and said == of_this_bench(in_words(PLUG))
-    return f"{', '.join(names)}: {translated(str(PLUGS)) if plural else said}"
+    return with_head(", ".join(names), translated(str(PLUGS)) if plural else said)
 
 
 def remedy_of(app_state: AppState, name: str) -> str:

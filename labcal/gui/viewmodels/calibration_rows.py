@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import BudgetLine, CalibrationFile, Figure
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import in_words, name_in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.cause_words import in_plain_words
+from labcal.gui.viewmodels.gain_words import GAINS, gain_name
 from labcal.gui.viewmodels.largest_of_U import how_to_lower_U, largest_of_U
 from labcal.gui.viewmodels.number_format import decimals_for, format_number
 
@@ -57,7 +59,7 @@ def map_rows(one: CalibrationFile) -> list[list[Cell]]:
         _parameter(f"{translated('offset k')} {axis} {in_words(one.k_means)}".rstrip(), value, u[9 + n], "nT")
         for n, (axis, value) in enumerate(zip("xyz", one.k_nT, strict=True))
     ]
-    K = zip((f"K {a}{b}" for a in "xyz" for b in "xyz"), (v for row in one.K for v in row), u, strict=False)
+    K = zip((gain_name(*gain) for gain in GAINS), (v for row in one.K for v in row), u, strict=False)
     return rows + [_parameter(name, value, s, gain) for name, value, s in K]
 
 
@@ -90,7 +92,7 @@ def _budgeted(line: BudgetLine) -> list[Cell]:
     U = format_number(line.U, decimals_for(line.U, line.U), signed=False)
     name = f"{quantity} · {at}" if at else quantity
     return [
-        Cell(f"{name}: {shares[0]}" if shares else name, tip=tip),  # here, where the column is as wide as there is room
+        Cell(with_head(name, shares[0]) if shares else name, tip=tip),  # where the column takes what room there is
         Cell("–", right=True, tip=tip),
         Cell(U, right=True, tip=tip),
         Cell(line.unit),

@@ -12,7 +12,7 @@ from labcal.record.delays import delays_open
 
 THERE_AND_BACK = 2  # turns of one stretch, which a delay is worked out from
 TEXTS = (
-    QT_TRANSLATE_NOOP("Words", "Kept: {0}."),
+    QT_TRANSLATE_NOOP("Words", "Measured already, and kept: {0} (how late the reading follows the field)."),
     QT_TRANSLATE_NOOP(
         "Words",
         "Lost: {0}, which comes of turns there and back without a break, and too few of those are left to measure. "

@@ -11,6 +11,7 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 from labcal.bench.named_links import named_links
 from labcal.bench.steps import ANEW, QUESTION
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.raw_reply import plainly
@@ -88,7 +89,7 @@ def said_of(event: Event, links: Mapping[str, str]) -> str:
     """What has happened, in one line; what to do about it comes with the question, once coils and platform rest."""
     said = without_age(named_links(event.text, links))
     if event.data.get("fault") == "link lost":  # what the system calls it stands in the record
-        return f"{said.partition(' (')[0].partition(': ')[0]}: {in_words('link lost')}"
+        return with_head(said.partition(" (")[0].partition(": ")[0].rstrip(), in_words("link lost"))
     return said.partition(". ")[0] if event.kind == FAULT else said
 
 

@@ -11,6 +11,7 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.ipc.answers import Fitted
+from labcal.gui.translations.punctuation import listed_apart, with_head
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.conformity import RESULTS, verdict
@@ -98,7 +99,8 @@ def said_of(method: str, fitted: Fitted | None, traced: str = "") -> tuple[str, 
         return "", ""
     said = (_by_what_is_left(fitted, traced), _by_the_specification(fitted.specification))
     between = "\n" if fitted.specification else " "
-    return f"{method}: " + between.join(words for words, _ in said), max((state for _, state in said), key=STATES.index)
+    words = with_head(method, between.join(words for words, _ in said))
+    return words, max((state for _, state in said), key=STATES.index)
 
 
 def _by_what_is_left(fitted: Fitted, traced: str) -> tuple[str, str]:
@@ -130,8 +132,10 @@ def _by_the_specification(lines: Sequence[Judged]) -> tuple[str, str]:
         return translated(str(NO_LIMITS)), ""
     worst = max((line.result for line in lines), key=list(RESULTS).index)
     beyond = [one for one in lines if one.result != "pass"]
-    words = "; ".join(map(_line, beyond[:LISTED])) + (f" (+ {len(beyond) - LISTED})" if len(beyond) > LISTED else "")
-    return f"{verdict(lines)}{': ' if words else '.'}{words}", RESULTS[worst][2]
+    more = f" (+ {len(beyond) - LISTED})" if len(beyond) > LISTED else ""
+    words = listed_apart([*map(_line, beyond[:LISTED])]) + more
+    said = verdict(lines)
+    return with_head(said, words) if words else f"{said}.", RESULTS[worst][2]
 
 
 def _line(line: Judged) -> str:

@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.certificate.handed import kind_of
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.translate import translated
 
 KINDS = {
@@ -22,4 +23,4 @@ KINDS = {
 def handed_files(folder: Path, name: str) -> list[str]:
     """A line for each file in `folder` that belongs to the calibration handed out as `name`."""
     names = sorted(one.name for one in folder.iterdir()) if folder.is_dir() else []
-    return [f"{one}: {translated(str(KINDS[kind]))}" for one in names if (kind := kind_of(one, name))]
+    return [with_head(one, translated(str(KINDS[kind]))) for one in names if (kind := kind_of(one, name))]

@@ -12,6 +12,7 @@ from labcal.bench.coils import state
 from labcal.bench.essentials import AXES
 from labcal.bench.stage_off import NOT_YET
 from labcal.gui.ipc.answers import Bench, CoilEnd, SwitchedOff
+from labcal.gui.translations.punctuation import listed_apart, with_head
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 
@@ -32,7 +33,7 @@ def coils_ended(ends: Iterable[tuple[str, str]]) -> str:
     axes: dict[str, list[str]] = {}
     for axis, words in ends:
         axes.setdefault(_how_it_ended(words), []).append(axis)
-    return "; ".join(f"{', '.join(alike)}: {words}" for words, alike in axes.items())
+    return listed_apart([with_head(", ".join(alike), words) for words, alike in axes.items()])
 
 
 def coil_read(said: CoilEnd) -> state.CoilReading:

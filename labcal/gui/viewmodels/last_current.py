@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.bench.coils.state import CoilReading
+from labcal.gui.translations.punctuation import listed_apart
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import format_number
 
@@ -27,7 +28,7 @@ class LastCurrents:
     def words(self, coils: Iterable[CoilReading]) -> str:
         """Of those `coils` that are not known now, and were not at zero; with the time on the wall of that."""
         unknown = (self._read.get(coil.axis) for coil in coils if coil.current_A is None)
-        return "; ".join(_words(coil) for coil in unknown if coil is not None and not coil.zero)
+        return listed_apart([_words(coil) for coil in unknown if coil is not None and not coil.zero])
 
 
 def _words(coil: CoilReading) -> str:

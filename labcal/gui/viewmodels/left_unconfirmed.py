@@ -19,6 +19,7 @@ from labcal.bench.coils import state
 from labcal.files.atomic import write_bytes
 from labcal.files.home import FILE, home, own_folder
 from labcal.gui.ipc.bench_facts import Bench
+from labcal.gui.translations.punctuation import listed_apart
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import LabNow, mark_of, platform_mark
 
@@ -52,7 +53,7 @@ class LeftUnconfirmed:
         """The lab, with what is still to be read since; a run says itself how it is."""
         unread = {COILS: now.coil_words in ("", state.NOT_READ), PLATFORM: not now.platform_words}
         said = [_said(kind, names, self._closed_s) for kind, names in self.left.items() if unread[kind]]
-        return replace(now, closed_with="; ".join(said)) if said and not now.driven else now
+        return replace(now, closed_with=listed_apart(said)) if said and not now.driven else now
 
     def keep(self, now: LabNow, by_hand: tuple[str, ...], facts: Bench | None, *, closing: bool = False) -> None:
         """Write down what is not confirmed `now`, and nothing any more of what is; of a lab that is there."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Qt
 
 from labcal.bench.serials import is_another
 from labcal.gui.ipc.answers import Bench, InstrumentAnswer
+from labcal.gui.translations.punctuation import listed_apart
 from labcal.gui.viewmodels.lab import LabViewModel
 from labcal.gui.viewmodels.run import RunViewModel
 from labcal.record.stream import OTHER_SERIAL, Event
@@ -37,7 +38,7 @@ class NamedSerials(QObject):
         facts = self._facts()
         duts = [] if facts is None else [name for name, one in facts.instruments.items() if one.role == "dut"]
         said = [f"{name} {words}" for name, words in self._lab.state.other_serials if name in duts]
-        return self.tr("{0}: is this the right sensor?").format("; ".join(said)) if said else ""
+        return self.tr("{0}: is this the right sensor?").format(listed_apart(said)) if said else ""
 
     def _heard(self, item: object) -> None:
         """A run asks as well, and tells of those that name another."""

@@ -14,6 +14,11 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.lab_now import Light
 
 NOT_AT_REST = QT_TRANSLATE_NOOP("Words", "not looked at at rest")
+WHY = QT_TRANSLATE_NOOP(
+    "Words",
+    "To look at it opens its port: that resets many a microcontroller, or switches what it sends. Read all asks it who "
+    "it is.",
+)
 NEXT_STEP = QT_TRANSLATE_NOOP("Words", "read again in the next step")
 
 
@@ -22,3 +27,8 @@ def not_at_rest(role: str, light: Light, *, driven: bool) -> str:
     if role != "dut" or light != "old":
         return ""
     return translated(str(NEXT_STEP if driven else NOT_AT_REST))
+
+
+def why_not_at_rest(standing: str) -> str:
+    """Why nobody looks, where that is how an instrument stands, in words."""
+    return translated(str(WHY)) if translated(str(NOT_AT_REST)) in standing else ""

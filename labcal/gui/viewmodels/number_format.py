@@ -9,6 +9,7 @@ from typing import Literal
 
 from PySide6.QtCore import QLocale
 
+from labcal.gui.translations.punctuation import with_head
 from labcal.gui.translations.sentences import name_in_words
 from labcal.gui.translations.translate import translated
 
@@ -65,7 +66,7 @@ def step_title(name: str) -> str:
         return translated("offset and first position")
     if found := MOUNTED.fullmatch(name):
         stands = translated("body {0} up").format(found[1].upper())
-        return f"{stands}: {name_in_words(found[2])}" if found[2] else stands
+        return with_head(stands, name_in_words(found[2])) if found[2] else stands
     return turns_written(name_in_words(POSITION.sub(r"position \1", CLOSED.sub(r"closure \1", name))))
 
 

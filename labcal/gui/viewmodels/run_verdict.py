@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from labcal.gui.theming.theme import STATES
+from labcal.gui.translations.punctuation import listed_apart
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.axis_checks import WORST
 from labcal.gui.viewmodels.delays_left import delay_words
@@ -188,4 +189,4 @@ def listed(measured: Iterable[Measurement], most: int = 2) -> str:
         value, U = format_number(one.value, decimals), format_number(2 * one.u, decimals, signed=False)
         words.append(f"{step_title(one.name)} {value} ± {U} {one.unit} ({short_number(one.limit)})")
     more = f" (+ {len(words) - most})" if len(words) > most else ""
-    return "; ".join(words[:most]) + more
+    return listed_apart(words[:most]) + more

@@ -8,6 +8,7 @@ from datetime import datetime
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from labcal.bench.coils.at_zero import ORDERED
+from labcal.gui.translations.punctuation import listed_apart
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.back_again import BackAgain
@@ -35,7 +36,7 @@ def _all(form: tuple[str, str]) -> re.Pattern[str]:
 def _how_it_is(now: LabNow) -> str:
     """Coils and platform, in words that grow no age while they are read on."""
     seen = as_watched(now)
-    return "; ".join(filter(None, (in_words(seen.coil_words), platform_said(seen.platform_words))))
+    return listed_apart([*filter(None, (in_words(seen.coil_words), platform_said(seen.platform_words)))])
 
 
 class SaidNoMore:

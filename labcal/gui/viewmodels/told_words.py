@@ -6,6 +6,7 @@ from collections import Counter
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from labcal.gui.translations.punctuation import listed_apart, with_head
 from labcal.gui.translations.sentences import in_words
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import step_title
@@ -45,7 +46,7 @@ def interrupted_words(told: Told) -> str:
     if not told.interruptions:
         return ""
     places = Counter(map(_one, told.interruptions))
-    where = "; ".join(place if often == 1 else f"{place} ({often}×)" for place, often in places.items())
+    where = listed_apart([place if often == 1 else f"{place} ({often}×)" for place, often in places.items()])
     names = dict.fromkeys(step_title(name) for one in told.interruptions for name in one.again)
     again, often = ", ".join(names), len(told.interruptions)
     if often == 1:
@@ -60,7 +61,7 @@ def noted_words(told: Told, *, here: bool = False) -> str:
 
 def serials_words(told: Told) -> str:
     """Which instruments named another serial than was stated; "" where none did."""
-    return f"▲ {'; '.join(map(in_words, told.other_serials))}." if told.other_serials else ""
+    return f"▲ {listed_apart([*map(in_words, told.other_serials)])}." if told.other_serials else ""
 
 
 def remarked_words(told: Told) -> str:
@@ -76,9 +77,9 @@ def remarked_words(told: Told) -> str:
 def open_words(told: Told) -> str:
     """Which of the run's checks are open, with value and limit, and whose serial is another; "" where all is well."""
     others = list(map(in_words, told.other_serials))
-    judged = [f"{translated(one.verdict)}: {listed((one,))}" for one in told.open]
+    judged = [with_head(translated(one.verdict), listed((one,))) for one in told.open]
     missing = [translated(MISSING).format(step_title(name)) for name in told.not_measured]
-    return translated(OPEN).format("; ".join((*others, *judged, *missing))) if others or judged or missing else ""
+    return translated(OPEN).format(listed_apart([*others, *judged, *missing])) if others or judged or missing else ""
 
 
 def _one(interruption: Interruption) -> str:

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QPlainTextEdit, QScrollArea
 
 from labcal.bench.coils import state
 from labcal.gui.ipc.wire import Fault
+from labcal.gui.translations.punctuation import listed_apart, parted
 from labcal.gui.translations.sentences import in_words, of_this_bench
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.by_hand import by_hand_words, not_read_words
@@ -48,8 +49,8 @@ HANDS_MS = 500  # between two looks whether they may go near
 def without(hands: str, said: str) -> str:
     """What is said of `hands`, without the reasons that the card has `said` in larger letters with what to do."""
     answer, apart, why = hands.partition(": ")
-    left = [reason for reason in why.split("; ") if not said or reason not in said]
-    return f"{answer}{apart}{'; '.join(left)}" if left else answer
+    left = [reason for reason in parted(why) if not said or reason not in said]
+    return f"{answer}{apart}{listed_apart(left)}" if left else answer
 
 
 class FaultCard(WholeCard):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
 from PySide6.QtWidgets import QLabel
 
+from labcal.gui.translations.punctuation import listed_apart, parted
 from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.in_brief import in_brief
 
@@ -23,14 +24,14 @@ def said_shorter(why: str, coils: str, *, may: bool = False) -> Iterator[tuple[s
     yield why, coils
     if may:
         return
-    first, *others = why.split("; ")
+    first, *others = parted(why)
     short = in_brief(coils)
     known = short.partition(" ")[2] in why
     to_do = coils.partition(". ")[2] if known else ""
     yield why, to_do or ("" if known else short)
-    without_figures = "; ".join((first, *(one.partition(" (")[0] for one in others)))
+    without_figures = listed_apart([first, *(one.partition(" (")[0] for one in others)])
     yield without_figures, to_do or ("" if known else short)
-    counted = f"{first}; {translated(str(MORE)).format(len(others))}" if others else first
+    counted = listed_apart([first, translated(str(MORE)).format(len(others))]) if others else first
     for reasons in (without_figures, counted):
         yield reasons, "" if known or why else short
 

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QListWidget, QListWidgetItem
 
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.number_format import step_title
-from labcal.gui.widgets.grouped_list import WholeItems
+from labcal.gui.widgets.mark_column import BEHIND, MarkedItems
 
 SHAPES = {"done": "✓", "now": "●", "next": "○", "skipped": "–", "broken": "✕"}
 
@@ -24,7 +24,7 @@ class StepList(QListWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWordWrap(True)
         self.setResizeMode(QListWidget.ResizeMode.Adjust)
-        self.setItemDelegate(WholeItems(self))
+        self.setItemDelegate(MarkedItems(self, SHAPES.values()))
 
     def show_steps(self, steps: Sequence[tuple[str, str]], theme: Theme) -> None:
         """Each step by its name, and how it stands: a key of `SHAPES`."""
@@ -32,7 +32,7 @@ class StepList(QListWidget):
             self.clear()
             self.addItems([step_title(name) for name, _ in steps])
         for row, (name, mark) in enumerate(steps):
-            _show(self.item(row), f"{SHAPES[mark]}  {step_title(name)}", mark, theme)
+            _show(self.item(row), f"{SHAPES[mark]}{BEHIND}{step_title(name)}", mark, theme)
             if mark in ("now", "broken"):
                 self.setCurrentRow(row)
                 self.scrollToItem(self.item(row))
