@@ -41,7 +41,10 @@ def another_bench(one: RunLine, facts: Bench | None, answered: Mapping[str, Inst
         if said is not None and said.fault is None and said.identity not in ("", abridged(then)):
             why = f"{name} was {abridged(then)} when run {one.run_id} began, now it is {said.identity}"
             return with_head(f"▲ {begun_on(one).removesuffix('.')}", in_words(why))
-    if one.bench == facts.name and one.simulated == facts.simulated:
+    now = kind_of(simulated=facts.virtual_time, served=facts.simulated)
+    known = now if one.simulated == facts.simulated else SIMULATED if one.simulated else REAL
+    then = one.bench_kind or known  # of a record that does not tell it
+    if one.bench == facts.name and then == now:
         return ""
     names = one.bench, facts.name
     if one.bench == facts.name:  # a simulated lab is called as the real one, and as what it is served as

@@ -30,7 +30,7 @@ class CausesTable(SortedTable):
     """The named ones first, or in the order of any column; what is chosen stays chosen."""
 
     def __init__(self, theme: Theme) -> None:
-        super().__init__(tuple(map(str, HEADINGS)), CAUSE, REASON)
+        super().__init__(tuple(map(str, HEADINGS)), REASON)
         self.narrow = self._narrow = NarrowColumns(self, goes=(ID, EVIDENCE), wraps=(CAUSE, REASON))
         self.setWordWrap(True)
         self._theme = theme

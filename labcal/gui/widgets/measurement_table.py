@@ -99,6 +99,7 @@ class Table(QTableWidget):
         self._keeping = True
         if self.narrow is not None:
             self.narrow.let_go()
+            self.narrow.share()
         needed = {column: header.sectionSizeHint(column) for column in self._stretched}
         room = self.viewport().width() - sum(header.sectionSize(n) for n in range(header.count()) if n not in needed)
         whole = room // len(needed) >= max(needed.values())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QTableWidget
+from PySide6.QtWidgets import QHeaderView, QTableWidget
 
 WRAPPED_PX = 144  # of a column that wraps its words, where others can go to give it that
 PADDING_PX = 26  # of a cell by the style sheet, and what Qt keeps beside it
@@ -37,6 +37,16 @@ class NarrowColumns:
         for column in self._goes:
             if table.isColumnHidden(column) is not (column in hidden):
                 table.setColumnHidden(column, column in hidden)
+
+    def share(self) -> None:
+        """The first that wraps has what its words need, up to half of the room for those that wrap."""
+        header, others = self._table.horizontalHeader(), range(self._table.columnCount())
+        if self._wraps:
+            first = self._wraps[0]
+            room = self._table.viewport().width() - sum(header.sectionSize(n) for n in others if n not in self._wraps)
+            least, words = header.sectionSizeHint(first), self._table.sizeHintForColumn(first)
+            header.setSectionResizeMode(first, QHeaderView.ResizeMode.Interactive)
+            header.resizeSection(first, max(least, min(words, room // 2)))
 
     def fit_rows(self) -> None:
         """Each as high as the lines of its words."""
