@@ -47,7 +47,7 @@ def test_a_reference_that_follows_the_room_is_the_rigs(making: ModuleType, tmp_p
 def test_where_the_zeros_agree_nearly_the_scale_is_right_where_they_are_and_u_holds_how_nearly(
     making: ModuleType, tmp_path: Path
 ) -> None:
-    """Else the device's scale would be off by all that the reference's is at the mean temperature, with no word of it."""
+    """Else the device's scale would be off by what the reference's is at the mean temperature, unsaid."""
     rows, segments = making.recorded()
     t, right_at = rows["t_s"], np.array([18.4, 18.5, 18.7])
     rows["temp_room"] = 21.3 + 1.4 * np.sin(t / 61.0) + 0.004 * t
