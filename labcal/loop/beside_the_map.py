@@ -9,6 +9,7 @@ carries that as its uncertainty, for it flies and the rig does not.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +18,7 @@ from scipy.linalg import eigh
 from labcal.loop.data.credible import of_the_rig
 from labcal.loop.noise.nuisance import RANK_TOLERANCE
 from labcal.loop.selection.joint_fit import JointFit, new_share_needed
+from labcal.loop.selection.settled import beside_settled, change_by, settled_shape
 from labcal.model.effects import Term, families
 from labcal.uncertainty import Contribution
 
@@ -30,17 +32,23 @@ def beside_the_map(found: JointFit, A: Array) -> list[Contribution]:
     """
     least = new_share_needed(found.problem, found.terms, found.beta, found.used)
     start, out = found.problem.T.shape[2], list[Contribution]()
+    M = beside_settled(found.problem, found.terms, found.beta, found.used)
     for term, beta in zip(found.terms, found.beta, strict=True):
         if of_the_rig(term):
-            out += _of_one(found, A, start, term, beta, least)
+            out += _of_one(found, A, M, start, term, beta, least)
+            out += _of_settled(found, A, term, beta)
         start += len(beta)
     return out
 
 
-def _of_one(found: JointFit, A: Array, start: int, term: Term, beta: Array, least: float) -> Iterator[Contribution]:
+def _of_one(
+    found: JointFit, A: Array, M: Array | None, start: int, term: Term, beta: Array, least: float
+) -> Iterator[Contribution]:
     base = found.problem.T.shape[2]
     own = slice(start, start + len(beta))
     T, X = A[:, :, :base].reshape(-1, base), A[:, :, own].reshape(-1, len(beta))
+    beside = np.zeros((base, len(beta))) if M is None else M[:base, own]
+    X = X + T @ beside
     length = np.maximum(np.sqrt(np.sum(X**2, axis=0)), 1e-300)
     carried = np.linalg.lstsq(T, X / length, rcond=None)[0]
     taken = _taken_by_the_map(X / length, X / length - T @ carried, least)
@@ -49,10 +57,27 @@ def _of_one(found: JointFit, A: Array, start: int, term: Term, beta: Array, leas
     columns = term.columns(found.problem.scene)[found.used]
     for direction in likely.T:
         shift = np.zeros(A.shape[2])
-        shift[:base], shift[own] = -carried @ direction, direction / length
+        shift[own] = direction / length
+        shift[:base] = beside @ shift[own] - carried @ direction
         u = float(np.sqrt(np.mean(np.sum((columns @ shift[own]) ** 2, axis=1))))
         if u > 0:
             yield Contribution(f"{name}: what K and k take as well", "B", "normal", u, "nT", dof, shift)
+
+
+def _of_settled(found: JointFit, A: Array, term: Term, beta: Array) -> Iterator[Contribution]:
+    """Of a parameter of the rig's that no run tells, settled by the other ones: the map takes what it may be off."""
+    settled = settled_shape(term, beta, found.problem.scene)
+    if settled is None:
+        return
+    (at, u_of_it), base = settled, found.problem.T.shape[2]
+    column = change_by(found.problem, term, at, u_of_it) @ beta
+    shift = np.zeros(A.shape[2])
+    shift[:base] = np.linalg.lstsq(A[:, :, :base].reshape(-1, base), column[found.used].ravel(), rcond=None)[0]
+    off, scene = term.with_shape(replace(at, value=term.at(at.name) + u_of_it)), found.problem.scene
+    changed_nT = (off.columns(scene) - term.columns(scene)) @ beta
+    u = float(np.sqrt(np.mean(np.sum(changed_nT[found.used] ** 2, axis=1))))
+    if u > 0:
+        yield Contribution(f"{at.name}: what K and k take as well", "B", "normal", u, "nT", np.inf, shift)
 
 
 def _taken_by_the_map(columns: Array, left: Array, least: float) -> Array:

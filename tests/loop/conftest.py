@@ -21,6 +21,7 @@ from labcal.loop.candidates.scorer import CandidateSet
 from labcal.loop.close import prepare
 from labcal.loop.data.linear_problem import LinearProblem
 from labcal.model.effects import families
+from labcal.session import working_out
 
 Rows = dict[str, np.ndarray]
 Writer = Callable[..., Path]
@@ -109,6 +110,12 @@ def closed_loop(capsys: pytest.CaptureFixture[str]) -> Callable[[Path], tuple[in
     return run
 
 
+def looked_at_anew() -> None:
+    """What is installed: effects, and the names of packages that stand in what is kept."""
+    families.cache_clear()
+    working_out._packages.cache_clear()
+
+
 @pytest.fixture
 def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[str, str, str], None]]:
     """Installs a package with one effect, as an installer leaves it: its module and its entry point."""
@@ -128,11 +135,11 @@ def installed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Calla
         monkeypatch.syspath_prepend(site)
         for module in (package, f"{package}.effect"):
             monkeypatch.delitem(sys.modules, module, raising=False)  # another test's file of this name
-        families.cache_clear()
+        looked_at_anew()
 
     yield install
     monkeypatch.undo()
-    families.cache_clear()
+    looked_at_anew()
 
 
 @pytest.fixture

@@ -44,6 +44,26 @@ def test_a_reference_that_follows_the_room_is_the_rigs(making: ModuleType, tmp_p
     assert np.allclose([found[f"c_{a}"] for a in "xyz"], 90.0 * DIRECTIONS, atol=20.0)
 
 
+def test_where_the_zeros_agree_nearly_the_scale_is_right_where_they_are_and_u_holds_how_nearly(
+    making: ModuleType, tmp_path: Path
+) -> None:
+    """Else the device's scale would be off by what the reference's is at the mean temperature, unsaid."""
+    rows, segments = making.recorded()
+    t, right_at = rows["t_s"], np.array([18.4, 18.5, 18.7])
+    rows["temp_room"] = 21.3 + 1.4 * np.sin(t / 61.0) + 0.004 * t
+    room = rows["temp_room"][:, None]
+    rows["ref"] = (rows["ref"] - 720.0 * DIRECTIONS * (room - right_at)) / (1 + 0.016 * (room - 18.5))
+    channels = making.CHANNELS | {"temp_room": {"unit": "degC", "quantity": "temperature", "role": "room"}}
+    closed = close_loop(session.load_run(str(making.written(tmp_path, rows, segments, channels))))
+    assert [e.effect for e in closed.accepted] == ["reference-temperature"]
+    [found] = [p for p in closed.accepted[0].parameters if p.name == "scale_right_at"]
+    assert abs(found.value - 18.5) < 2 * found.u < 0.4
+    off = np.diag(closed.fit().affine.K) * 1.05 - 1
+    u = np.sqrt(np.diag(closed.fit().covariance)[[0, 4, 8]]) * 1.05
+    assert np.all(np.abs(off) < 2 * u)  # at the mean temperature it would be 0.05
+    assert np.allclose(u, 0.016 * found.u, rtol=0.3)
+
+
 @pytest.mark.parametrize("times", [pytest.param(1.0, marks=pytest.mark.slow), 8.0])
 def test_a_reference_that_is_right_at_another_temperature_leaves_the_device_its_own_scale(
     making: ModuleType, tmp_path: Path, times: float

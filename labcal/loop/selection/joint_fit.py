@@ -14,9 +14,10 @@ from labcal.loop.data.linear_problem import LinearProblem, linearise
 from labcal.loop.noise.bands import cosine_transform
 from labcal.loop.noise.coloured import noise_spectrum, weighted_gram
 from labcal.loop.noise.declared_directions import DeclaredDirections
-from labcal.loop.noise.nuisance import MIN_NEW_SHARE, inverse_gram, ols_with_nuisance
+from labcal.loop.noise.nuisance import MIN_NEW_SHARE, ols_with_nuisance
 from labcal.loop.selection.crossval import residual_lengths
 from labcal.loop.selection.moment import u_of_moment
+from labcal.loop.selection.settled import beside_settled, inverse_beside, settled_shape
 from labcal.model import Parameter
 from labcal.model.effects import Scene, Term, families
 
@@ -79,8 +80,11 @@ class JointFit:
                 for (name, unit), value, spread in zip(term.parameters, beta, u[at : at + len(beta)], strict=True)
             ][: term.lasting]
             at += len(beta)
+            settled = settled_shape(term, beta, self.problem.scene)
             for s in term.shape:
                 spread = s.u(t_s, next(by_slope)) if s.grid else 0.0
+                if settled is not None and settled[0].name == s.name:
+                    spread = settled[1]
                 if s.kind.found_by == "changepoints":
                     spread = u_of_moment(self.problem, self.terms, self.beta, place, self.used)
                 found.append(Parameter(s.name, s.value, spread, s.unit))
@@ -96,8 +100,17 @@ def sum_of_effects(terms: Sequence[Term], beta: Sequence[Array], scene: Scene) -
 def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bool_] | None = None) -> JointFit:
     """Fit all from the problem's own parameters, on `rows` where they are given."""
     used = np.ones(len(problem), dtype=bool) if rows is None else rows
-    here, terms = problem, tuple(terms)
-    beta = tuple(np.zeros(len(term.parameters)) for term in terms)
+    start = problem, tuple(terms), tuple(np.zeros(len(term.parameters)) for term in terms)
+    found = _descended(start, used)
+    if (settled := _settled(found, used)) is not found:
+        found = _descended(settled, used)
+    here, terms, beta = _summed_to_zero(*found, used)
+    return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
+
+
+def _descended(start: Point, used: NDArray[np.bool_]) -> Point:
+    """Where the steps of Gauss and Newton lead to."""
+    here, terms, beta = start
     for _ in range(STEPS):
         A = np.concatenate([here.T, *(-here.all_columns(term) for term in terms)], axis=2)[used]
         step, loops = _step(here, terms, beta, used, A, beta), beta
@@ -108,8 +121,7 @@ def joint_fit(problem: LinearProblem, terms: Sequence[Term], rows: NDArray[np.bo
         if there is None:
             break
         here, terms, beta = there
-    here, terms, beta = _summed_to_zero(here, terms, beta, used)
-    return JointFit(here, terms, beta, _covariance(here, terms, beta, used), used)
+    return here, terms, beta
 
 
 def _step(
@@ -122,8 +134,9 @@ def _step(
 ) -> Array:
     """The step (p,) of Gauss and Newton, what is known of the parameters included, where the `loops` are so large."""
     known, off = as_data(terms, beta, here.T.shape[2], A.shape[1], loops)
-    data = np.concatenate([A, known]), np.concatenate([here.y[used], off])
-    return np.asarray(-ols_with_nuisance(*data, here.T.shape[2], new_share_needed(here, terms, beta, used)))
+    X, y, M = np.concatenate([A, known]), np.concatenate([here.y[used], off]), beside_settled(here, terms, beta, used)
+    step = -ols_with_nuisance(X if M is None else X @ M, y, here.T.shape[2], new_share_needed(here, terms, beta, used))
+    return np.asarray(step if M is None else M @ step)
 
 
 def _summed_to_zero(
@@ -149,6 +162,30 @@ def _summed_to_zero(
         return here, terms, beta
     bare, stepped = _stepped(here, terms, beta, step)
     return _relinearised(bare, terms, stepped), terms, stepped
+
+
+def _settled(found: Point, used: NDArray[np.bool_]) -> Point:
+    """Nearly the same residual with what no run tells where the other parameters say; the map takes what that changes.
+
+    The same point where there is no such parameter.
+    """
+    here, terms, beta = found
+    base, step, out = here.T.shape[2], np.zeros(here.T.shape[2] + sum(map(len, beta))), list[Term]()
+    T, least = here.T[used].reshape(-1, base), new_share_needed(here, terms, beta, used)
+    for term, own in zip(terms, beta, strict=True):
+        settled = settled_shape(term, own, here.scene)
+        there = term if settled is None else term.with_shape(settled[0])
+        if there is not term:
+            column = ((here.all_columns(there) - here.all_columns(term)) @ own)[used].ravel()
+            carried = np.linalg.lstsq(T, column, rcond=None)[0]
+            taken = np.sum((column - T @ carried) ** 2) <= least * np.sum(column**2)
+            step[:base] += carried if taken else 0.0
+            there = there if taken else term
+        out.append(there)
+    if not step.any():
+        return found
+    bare, stepped = _stepped(here, terms, beta, step)
+    return _relinearised(bare, tuple(out), stepped), tuple(out), stepped
 
 
 def in_sample_rms(fitted: JointFit) -> float:
@@ -313,7 +350,7 @@ def _covariance(
     bands, spectrum = noise_spectrum(transformed, here.y[used])
     A = weighted_gram(transformed, bands, np.ones_like(spectrum))
     known = precision(terms, beta, here.T.shape[2], len(A))
-    inverse = inverse_gram(A + known, here.T.shape[2], new_share_needed(here, terms, beta, used))
+    inverse = _inverse(here, terms, beta, used, A + known)
     return np.asarray(inverse @ (weighted_gram(transformed, bands, spectrum) + known) @ inverse)
 
 
@@ -326,7 +363,15 @@ def derivatives(found: JointFit) -> tuple[Array, Array]:
     A = _derivatives(here, terms, beta, used)
     flat = A.reshape(-1, A.shape[2])
     known = precision(terms, beta, here.T.shape[2], flat.shape[1])
-    return A, inverse_gram(flat.T @ flat + known, here.T.shape[2], new_share_needed(here, terms, beta, used))
+    return A, _inverse(here, terms, beta, used, flat.T @ flat + known)
+
+
+def _inverse(
+    here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_], gram: Array
+) -> Array:
+    """The generalised inverse (p, p) of a Gram matrix of derivatives by all parameters."""
+    M, least = beside_settled(here, terms, beta, used), new_share_needed(here, terms, beta, used)
+    return inverse_beside(gram, M, here.T.shape[2], least)
 
 
 def _derivatives(here: LinearProblem, terms: Sequence[Term], beta: Sequence[Array], used: NDArray[np.bool_]) -> Array:

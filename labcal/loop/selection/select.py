@@ -306,10 +306,8 @@ def _goes_before(other: Candidate, one: Candidate) -> bool:
 
 
 def _preference(candidate: Candidate) -> tuple[int, bool]:
-    """Low goes first: what readings alone correct, then channels without a mechanism, then the rig's, then time's."""
+    """Low goes first: what readings alone correct, then channels without a mechanism, then the rig's and time's."""
     kind = 1 if candidate.family.generic else 0
-    if candidate.family.bound_to_run:
-        kind = 3
-    elif candidate.belongs_to == "rig":
-        kind = 2
+    if candidate.family.bound_to_run or candidate.belongs_to == "rig":
+        kind = 2  # neither is in what the device reads later: the likelier of two
     return kind, candidate.family.second_order

@@ -53,6 +53,10 @@ def itself_alone(term: Term, beta: Array, covariance: Array) -> tuple[Sequence[T
     return (), ""
 
 
+def nothing_settled(term: Term, beta: Array, scene: Scene) -> None:
+    """A run tells all of its parameters."""
+
+
 def no_parameters(term: Term) -> Sequence[str]:
     """None of a term's parameters."""
     return ()
@@ -104,6 +108,10 @@ class Family:
     holds_another: Callable[[Term, Array, Array], tuple[Sequence[Term], str]] = itself_alone  # by fitted parameters and
     # their covariance: forms that may be left of it, and the family that did the rest, where it cannot have done it all
     sums_to_zero: Callable[[Term], Sequence[str]] = no_parameters  # linear parameters whose sum is, where no run tells
+    settled: Callable[[Term, Array, Scene], tuple[Shape, float] | None] = (
+        nothing_settled  # by fitted parameters: one of
+    )
+    # the rig's that changes only what the map takes, with its u
     time_constants: Callable[[Term], Sequence[float]] = memory.time_constants  # of its responses [s]: each settles
 
     # What separates it from others
