@@ -5,7 +5,7 @@ import time
 import pytest
 from lab_states import told
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtWidgets import QApplication, QLabel, QSystemTrayIcon
+from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QSystemTrayIcon
 
 from labcal.bench.coils.state import CoilReading, LabState, PlatformReading, Witness
 from labcal.gui import leaving
@@ -64,7 +64,7 @@ def test_nothing_is_closed_or_said_before_an_answer(qtbot, running):
     assert (running.isVisible(), question.isVisible(), running.hung_up) == (True, True, [])
     assert running.app_state.bench_worker.said == []
     assert {"Stop", "Keep running behind"} == {one.text() for one in question.buttons.values()}
-    assert question.findChild(type(question.back), "off").isVisible()
+    assert question.findChild(QPushButton, "off").isVisible()
     assert question.back.isDefault()
     qtbot.keyClick(question, Qt.Key.Key_Return)
     assert (running.isVisible(), question.isVisible(), running.app_state.run.alive) == (True, False, True)

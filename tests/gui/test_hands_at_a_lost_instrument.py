@@ -27,7 +27,7 @@ def test_the_card_of_an_instrument_that_is_lost_says_whether_hands_may_go_in_wit
     card.say_hands()
     assert (
         card.hands.text()
-        == "● Hands may go in: coils read back at zero by their supplies, 4 s ago; no reference has confirmed it"
+        == "● Hands may go in: coils read back at zero by their supplies; no reference has confirmed it · read 4 s ago"
     )
     assert card.hands.isVisibleTo(card)
     later(WATCHED_S)

@@ -23,12 +23,3 @@ def test_it_does_not_move_with_the_words_around_it(same_window, size):
     assert len(places) == 1
     waits_at(same_window, "long " * 60, "", "Go")
     assert same_window.message.width() > same_window.width() / 2  # of what does not happen there is no place
-
-
-def test_nothing_is_kept_free_while_nothing_happens(same_window):
-    same_window.resize(1280, 800)
-    same_window.show()
-    waits_at(same_window, "", "", "Go")
-    alone = same_window.message.width()
-    waits_at(same_window, "", "paused", "Go")
-    assert same_window.message.width() < alone

@@ -5744,7 +5744,7 @@
     </message>
     <message>
         <source>run {0} was begun on another bench: a real, a simulated and a served one are not the same</source>
-        <translation>la mesure {0} a été commencée sur un autre banc : un banc réel, un banc simulé et un banc servi ne sont pas le même</translation>
+        <translation>la mesure {0} a été commencée sur un autre banc&#xa0;: un banc réel, un banc simulé et un banc servi ne sont pas le même</translation>
     </message>
     <message>
         <source>the bench holds {0}, the run is of {1}: nothing was moved</source>
@@ -9970,7 +9970,7 @@
     </message>
     <message>
         <source>COILS OFF: going to zero …</source>
-        <translation>BOBINES À ZÉRO : en route vers zéro …</translation>
+        <translation>BOBINES À ZÉRO&#xa0;: en route vers zéro …</translation>
     </message>
     <message>
         <source>stopping</source>
