@@ -78,7 +78,7 @@ NO_CLAIM = {
     "press COILS OFF (F12) first: it stops the platform too, if it can be reached. If it keeps turning, stop it at its "
     "controller": ORDER,
     "COILS OFF was pressed, and stops it if it can be reached. If it keeps turning, stop it at its controller": ORDER,
-    "COILS OFF: going to zero …": ORDER,
+    "COILS OFF: the run stops …": ORDER,
     "Stop the platform (COILS OFF)": ORDER,
     "The platform kept turning: COILS OFF is given anew, and stops it …": REFUSED,
     "Has its output gone off by itself, is the winding open? Set the coils off, look at its panel, and find out why "

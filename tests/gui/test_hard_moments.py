@@ -12,7 +12,7 @@ from labcal.gui.ipc.wire import Fault
 from labcal.gui.viewmodels.coils_off import STOPS_S
 from labcal.record.stream import FAULT, Event, Step
 
-GOING = "HANDS OFF – COILS OFF: going to zero …"
+GOING = "HANDS OFF – COILS OFF: the run stops …"
 NAMES = ("zero", "z+20uT")
 
 

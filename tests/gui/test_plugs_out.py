@@ -43,9 +43,9 @@ def test_a_supply_that_is_out_is_named_with_hands_off_until_zero_is_confirmed(ru
 def test_a_run_that_stops_keeps_hands_out_while_the_platform_turns(running):
     says(running, (0.0, 0.0, 0.0), turning())
     running.app_state.run.abort()
-    assert headline(running) == "HANDS OFF – platform turning · Stopping"
+    assert headline(running) == "HANDS OFF – COILS OFF: the run stops …"
     says(running, (0.0, 0.0, 0.0), stands())
-    assert headline(running) == "Stopping"
+    assert headline(running) == "HANDS OFF – COILS OFF: the run stops …"  # one sentence, until it has ended
 
 
 def test_who_says_hands_off_by_try_again_stands_back(running):

@@ -40,7 +40,7 @@ def test_while_a_step_breaks_off_no_field_and_no_turn_is_said_to_come(real):
     items = app_state.bench_worker.items
     items.emit((Step(1.0, 2, 2, "z+50uT", 60.0), SegmentOpened(1.0, Segment("z+50uT", "rotation"))))
     app_state.bench_worker.states.emit(lab(platform=stands()))
-    assert "the next field or turn comes unasked" in app_state.hands()[0]
+    assert "the platform turns next" in app_state.hands()[0]
     items.emit((Event(2.0, FAULT, "reference: no sample for 0.9 s", {"step": "z+50uT"}),))
     words, mark = app_state.hands()
     assert (words.endswith("Hands off: the step is broken off"), mark) == (True, "bad")

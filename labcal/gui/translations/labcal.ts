@@ -9969,7 +9969,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>COILS OFF: going to zero …</source>
+        <source>COILS OFF: the run stops …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -9969,8 +9969,8 @@
         <translation>als Nächstes dreht der Tisch</translation>
     </message>
     <message>
-        <source>COILS OFF: going to zero …</source>
-        <translation>SPULEN AUS: auf dem Weg zu null …</translation>
+        <source>COILS OFF: the run stops …</source>
+        <translation>SPULEN AUS: die Messung hält an …</translation>
     </message>
     <message>
         <source>stopping</source>

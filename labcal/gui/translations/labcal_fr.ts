@@ -9969,8 +9969,8 @@
         <translation>la plate-forme tourne ensuite</translation>
     </message>
     <message>
-        <source>COILS OFF: going to zero …</source>
-        <translation>BOBINES À ZÉRO&#xa0;: en route vers zéro …</translation>
+        <source>COILS OFF: the run stops …</source>
+        <translation>BOBINES À ZÉRO&#xa0;: la mesure s&apos;arrête …</translation>
     </message>
     <message>
         <source>stopping</source>
