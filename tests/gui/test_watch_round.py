@@ -191,16 +191,14 @@ def test_coils_that_nobody_has_asked_are_not_missed_and_no_words_change(real, mo
     monkeypatch.setattr(lab_watch.time, "monotonic", lambda: now)
     said = []
     for age_s in (0.5, 1.5, 2.5, 3.5, 3.9):
-        app_state.take_lab(
-            lab(platform=stands(age_s=age_s), witness=replace(agreed, read_s=now - age_s)).shifted(-age_s)
-        )
+        app_state.take_lab(lab(platform=stands(), witness=agreed).shifted(-age_s))
         side = real.side
         said.append((side.hands.text(), side.hands.property("state"), side.may_go_in.text(), side.hands_age.text()))
     assert len({one[:3] for one in said}) == 1
     assert said[0][1] == "good"
     assert [one[3] for one in said] == [f"read {age_s} s ago" for age_s in (1, 2, 3, 4, 4)]
     assert side.hands_age.property("state") == "old"
-    app_state.take_lab(lab(platform=stands(age_s=6.0)).shifted(-6.0))
+    app_state.take_lab(lab(platform=stands()).shifted(-6.0))
     assert (side.hands.property("state"), side.hands_age.isHidden()) == ("off", True)
 
 
