@@ -74,7 +74,8 @@ def test_a_push_that_is_cut_leaves_no_process_and_nothing_half(
     how: signal.Signals, postgres: Server, database: str, url: str, tmp_path: Path
 ) -> None:
     """Ctrl-C reaches all processes of the terminal, and none says anything of its own."""
-    stored_runs(range(RUNS), 4 * SAMPLES)
+    runs = RUNS if how == signal.SIGKILL else 3 * RUNS  # so many that a busy computer does not cut it after the last
+    stored_runs(range(runs), 4 * SAMPLES)
     bundles = tmp_path / "bundles"
     environment = {**os.environ, "LABCAL_ARCHIVE": url}
     program = "from labcal.start import main\nif __name__ == '__main__':\n    main()\n"
@@ -98,10 +99,10 @@ def test_a_push_that_is_cut_leaves_no_process_and_nothing_half(
     assert "Traceback" not in told
     assert push.returncode == (130 if how == signal.SIGINT else -9), told
     there = rows_of(postgres, database)["run"]
-    assert len(there) < RUNS
+    assert len(there) < runs
     assert {f"{row[15]}.zip" for row in there} <= {path.name for path in bundles.rglob("*.zip")}
-    assert archiving.push(url).runs == RUNS - len(there)
-    assert len(rows_of(postgres, database)["run"]) == RUNS
+    assert archiving.push(url).runs == runs - len(there)
+    assert len(rows_of(postgres, database)["run"]) == runs
     assert archiving.check_archive(url, None) == []
 
 

@@ -53,6 +53,21 @@ def terminal() -> Iterator[tuple[int, WiredLink]]:
             os.close(end)
 
 
+@pytest.mark.parametrize("call", ["send", "look"])
+def test_so_is_one_that_is_closed_inside_a_call(terminal: tuple[int, WiredLink], call: str) -> None:
+    """What pyserial waits on is None by then, which is no error of the system's."""
+    _, link = terminal
+    port: Any = link._port
+    descriptor, port._port.fd = port._port.fd, None
+    if call == "look":
+        for _ in range(2):  # one that fails may be a stumble
+            link.look()
+    with pytest.raises(InstrumentError) as caught:
+        link.send(b"who\n")
+    os.close(descriptor)
+    assert caught.value.fault == "link lost"
+
+
 def test_one_that_another_thread_closed_meanwhile_is_lost_and_no_crash(terminal: tuple[int, WiredLink]) -> None:
     _, link = terminal
     port: Any = link._port

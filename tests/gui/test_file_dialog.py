@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import QPoint, QRect
-from PySide6.QtWidgets import QFileDialog, QTreeView
+from PySide6.QtWidgets import QApplication, QFileDialog, QTreeView
 from test_tenth_walk import in_language as in_language
 
 LONG = "2026-11-30T203705-EM-07-preflight-bundle.json"  # as a run is exported
@@ -16,6 +16,7 @@ def test_names_and_headings_of_its_columns_are_whole(new_window, qtbot, patience
     in_language(code)
     new_window.resize(*size)
     new_window.show()
+    QApplication.processEvents()  # a window is laid out long before anybody opens a file in it
     dialog = QFileDialog(new_window, "Import a run", str(folder))
     dialog.setOption(QFileDialog.Option.DontUseNativeDialog)
     dialog.setViewMode(QFileDialog.ViewMode.Detail)

@@ -215,19 +215,20 @@ class SerialPort:
 
     def read(self) -> bytes:
         """What has arrived."""
-        return bytes(self._port.read(4096))
+        with _as_os_error():
+            return bytes(self._port.read(4096))
 
     def write(self, data: bytes) -> None:
         """Send all of it."""
-        self._port.write(data)
         with _as_os_error():
+            self._port.write(data)
             self._port.flush()
 
     def there(self) -> bool:
         """Whether it is; of one that is reached by URL its own errors tell. One that was closed is not."""
         try:
             return "://" not in self._address and stands(self._port.fileno(), self._address)
-        except OSError:
+        except (OSError, TypeError):
             return False
 
     def close(self) -> None:
@@ -237,13 +238,13 @@ class SerialPort:
 
 @contextmanager
 def _as_os_error() -> Iterator[None]:
-    """What a terminal cannot do is raised as an error that is no OSError."""
+    """What a terminal cannot do, or one that is closed meanwhile by who reads, is raised as no OSError."""
     try:
         yield
     except OSError:
         raise
     except Exception as error:
-        if type(error).__module__ != "termios":
+        if type(error).__module__ != "termios" and not isinstance(error, TypeError):  # of a descriptor that is None
             raise
         raise OSError(*error.args) from error
 
