@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 from geometry import faults
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from test_causes_table import told
 from test_choose import looked_at
@@ -18,9 +19,11 @@ LONG = "Ein weichmagnetisches Teil, das der Strom der Nutzlast magnetisiert, bis
 
 
 def seen(table):
-    """Columns in sight, each whole, from the left."""
-    QApplication.processEvents()
-    header = table.horizontalHeader()
+    """Columns in sight, each whole, from the left, once the window is laid out and nothing changes any more."""
+    header, before = table.horizontalHeader(), None
+    while (now := (table.width(), header.length(), header.hiddenSectionCount())) != before:
+        before = now
+        QTest.qWait(50)
     assert header.length() <= table.viewport().width()
     return [n for n in map(header.logicalIndex, range(header.count())) if not header.isSectionHidden(n)]
 
