@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -13,9 +11,6 @@ import pytest
 
 from labcal import session
 from labcal.loop import ClosedLoop, close_loop
-from labcal.loop.close import candidates_of, prepare, relinearised
-from labcal.loop.selection.select import select
-from labcal.store import load_bundle
 
 Rows = dict[str, np.ndarray]
 
@@ -98,16 +93,3 @@ def test_idle_panels_make_no_set(making: ModuleType, tmp_path: Path) -> None:
     closed = _closed(making, tmp_path, told, 0.0)
     assert closed.accepted == ()
     assert closed.verdict == "clean"
-
-
-@pytest.mark.slow  # a quarter of a minute: housekeeping as slow as what it tells
-def test_what_held_out_blocks_leave_of_a_set_stands_where_no_later_round_leaves_less(tmp_path: Path) -> None:
-    """A later round is cut where its blocks refuse, and what it has left by then may be little."""
-    program = Path(__file__).parents[1] / "blind" / "spacecraft.py"
-    subprocess.run([sys.executable, program, tmp_path, "125", "73913", "44"], check=True)
-    (folder,) = tmp_path.glob("b*")
-    problem, level, _ = prepare(load_bundle(folder / "bundle").run())
-    found = select(relinearised(candidates_of(problem.run, problem)), level)
-    (broken,) = found.accepted
-    assert ({m.family.id for m in broken.members}, found.ending) == ({"offset-current"}, "supported")
-    assert len(broken.members) == 2
