@@ -283,7 +283,7 @@ class Frame(QMainWindow):
                 watched.setStyleSheet(self.sheet())  # what is styled here does not reach it
             if isinstance(watched, QDialog):
                 put_off_into(watched, self.coils_off.emit)
-            if isinstance(watched, QFileDialog):
+            if isinstance(watched, QFileDialog) and (above := watched.parentWidget()) and above.window() is self:
                 show_names_whole(watched)
                 place_below_and_left(watched, self.top, self.side)  # whether hands may go in stands in both
         if not isinstance(event, QKeyEvent):

@@ -39,7 +39,7 @@ class OneDut(QObject):
         self.calibration: CalibrationFile | None = None  # the one on the Certificate page
         self._looked_from = ""  # what stood at the top when the run under study was opened
         self._here, self._another = "", False  # what stands there; whether that was changed since one was opened
-        self._let_go = False  # whether a run was let go of, and none has been taken up in its place
+        self._half = ""  # the serial for which a run was let go of, and none taken up: that may be half of one
         self._file_wanted = ""  # path of the file that Next has led to
         self._study.changed.connect(self.changed)
         self._path.changed.connect(self.changed)
@@ -143,10 +143,10 @@ class OneDut(QObject):
             if self._study.busy:
                 self._lab.update(message=self.tr("{0}: what is being computed goes on.").format(studied))
             self._study.let_go()
-            self._let_go = True
-        if self._let_go:  # now, or where half of its serial was left for a moment: that was of no DUT
+            self._half = here
+        if self._half and here.startswith(self._half):  # half a serial that was left for a moment is of no DUT
             self.take_up()
-            self._let_go = not self._study.run
+            self._half = "" if self._study.run else self._half
 
     def shows(self, to: Next) -> bool:
         """Whether the page that Next leads to shows the run that it speaks of, or it speaks of none."""
