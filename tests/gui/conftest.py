@@ -143,12 +143,17 @@ def rest():
 
 def at_rest(window):
     """Nothing asked, said or begun, on a known bench; forms, cards and the window's size as they were at first."""
+    from PySide6.QtTest import QTest
+    from PySide6.QtWidgets import QApplication
+
     from labcal.gui.ipc.bench_commands import read_bench
     from labcal.gui.ipc.messages import ListRuns, ReadBench
 
     app_state = window.app_state
     if not (give_up := window.page("Run").choose.give_up).isHidden():
         give_up.click()
+    if QApplication.keyboardModifiers() != Qt.KeyboardModifier.NoModifier:  # of a last key: a row that is chosen by a
+        QTest.keyRelease(window, Qt.Key.Key_Shift)  # call would be chosen as with that key held down
     window.scanner.flush()
     window.resize(window.size_at_first)  # in a smaller one the next test's words would have less room
     window.raise_()
