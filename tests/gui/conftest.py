@@ -189,6 +189,7 @@ def at_rest(window):
     app_state.open_bench(str(BENCH))
     app_state.quick_worker.answer(ReadBench, read_bench(None, ReadBench(str(BENCH))))
     window.sidebar.setFocus()
+    app_state.set_identity(dut="")  # what was looked at before is not come back to
     app_state.set_identity(operator="J. Doe", dut="EM-07")
     choose = window.page("Run").choose
     choose.choose("preflight")

@@ -26,7 +26,6 @@ from labcal.gui.widgets.common import Card, FaceStack, button, combo_box, label,
 from labcal.gui.widgets.comparison import ComparisonView
 from labcal.gui.widgets.fault_card import FaultCard
 from labcal.gui.widgets.idle_queue import IdleQueue
-from labcal.gui.widgets.narrow_columns import NarrowColumns
 from labcal.gui.widgets.open_externally import FolderButton
 from labcal.gui.widgets.record_words import RecordWords
 from labcal.gui.widgets.recording_view import RecordingView
@@ -171,8 +170,7 @@ class HistoryPage(QWidget):
         self.said, self.folder = shrinkable(label("", "caption")), FolderButton()
         self.said.hide()
         self.why_not = label("", "caption", wrap=True)
-        self.table = SortedTable(HEADINGS, 5)
-        self.table.narrow = NarrowColumns(self.table, goes=(6, 3, 2))  # run, operator, procedure: they stand in tips
+        self.table = SortedTable(HEADINGS, 6)
         self.table.show_rows(10_000, 5)  # a small window rolls the page before it shows fewer
         self.table.itemSelectionChanged.connect(self._chosen)
         self._order = 0, True  # the column it is sorted by, and whether the largest is first
@@ -230,8 +228,7 @@ class HistoryPage(QWidget):
         self.table.setRowCount(len(found))
         for row, (one, texts, state) in enumerate(rows):
             for column, text in enumerate(texts):
-                began = self.tr("{0} UTC").format(one.started_utc)
-                tips = {0: "\n".join((began, *texts)), 4: in_full(one)}
+                tips = {0: self.tr("{0} UTC").format(one.started_utc), 4: in_full(one)}
                 ink = getattr(self._theme, {4: state, 5: "warning" if doubtful(text) else ""}.get(column) or "text")
                 self.table.set_cell(row, column, text or "–", colour=ink, tip=tips.get(column, ""))
         self._keep_chosen(chosen, found)

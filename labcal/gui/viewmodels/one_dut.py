@@ -39,7 +39,7 @@ class OneDut(QObject):
         self.calibration: CalibrationFile | None = None  # the one on the Certificate page
         self._looked_from = ""  # what stood at the top when the run under study was opened
         self._here, self._another = "", False  # what stands there; whether that was changed since one was opened
-        self._half = ""  # the serial for which a run was let go of, and none taken up: that may be half of one
+        self._let_go = False  # whether a run was let go of, and none taken up or opened since
         self._file_wanted = ""  # path of the file that Next has led to
         self._study.changed.connect(self.changed)
         self._path.changed.connect(self.changed)
@@ -53,7 +53,7 @@ class OneDut(QObject):
 
     def open(self, run: str) -> None:
         """Study `run`, whosever it is."""
-        self._looked_from, self._another = self._lab.state.dut_serial, False
+        self._looked_from, self._another, self._let_go = self._lab.state.dut_serial, False, False
         self._study.open(run)
         self.changed.emit()
 
@@ -143,10 +143,10 @@ class OneDut(QObject):
             if self._study.busy:
                 self._lab.update(message=self.tr("{0}: what is being computed goes on.").format(studied))
             self._study.let_go()
-            self._half = here
-        if self._half and here.startswith(self._half):  # half a serial that was left for a moment is of no DUT
+            self._let_go = True
+        if self._let_go:  # now, or before the serial was whole that stands there
             self.take_up()
-            self._half = "" if self._study.run else self._half
+            self._let_go = not self._study.run
 
     def shows(self, to: Next) -> bool:
         """Whether the page that Next leads to shows the run that it speaks of, or it speaks of none."""
@@ -178,6 +178,7 @@ class OneDut(QObject):
         """Where a crash does not take it: the serial that was said last."""
         if state.dut_serial != self._here:
             self._here, self._another = state.dut_serial, True
+            self._let_go = self._let_go and bool(self._here)  # without a DUT there is nothing to come back to
         if self.stated and state.dut_serial != self._settings.value(KEPT, ""):
             self._settings.setValue(KEPT, state.dut_serial)
             self._settings.sync()

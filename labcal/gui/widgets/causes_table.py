@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from labcal.gui.ipc.answers import Loop
 from labcal.gui.theming.theme import Theme
 from labcal.gui.viewmodels.loop_causes import (
-    CAUSE,
     EVIDENCE,
     HEADINGS,
     ID,
@@ -19,7 +18,6 @@ from labcal.gui.viewmodels.loop_causes import (
     cause_rows,
     in_order,
 )
-from labcal.gui.widgets.narrow_columns import NarrowColumns
 from labcal.gui.widgets.sorted_table import SortedTable
 
 SMALL = 0.85  # of letters beside others
@@ -31,8 +29,6 @@ class CausesTable(SortedTable):
 
     def __init__(self, theme: Theme) -> None:
         super().__init__(tuple(map(str, HEADINGS)), REASON)
-        self.narrow = self._narrow = NarrowColumns(self, goes=(ID, EVIDENCE), wraps=(CAUSE, REASON))
-        self.setWordWrap(True)
         self._theme = theme
         self._rows: list[CauseRow] = []
         self._order = VERDICT, False  # the column it is sorted by, and whether the largest is first
@@ -87,8 +83,7 @@ class CausesTable(SortedTable):
         for at, row in enumerate(self._rows):
             self._show_row(at, row)
         self._make_small()
-        self._narrow.leave_out(() if any(row.id for row in self._rows) else (ID,))
-        self._narrow.fit_rows()
+        self.setColumnHidden(ID, not any(row.id for row in self._rows))
         there = [row.cause for row in self._rows]
         with QSignalBlocker(self):
             if kept in there:
@@ -101,7 +96,6 @@ class CausesTable(SortedTable):
             inks = {VERDICT: STANDINGS[row.standing][1], ID: "muted"}
             ink = getattr(self._theme, inks.get(column, "text"))
             tip = "" if column != REASON else row.why if text in row.why else f"{text}\n{row.why}"
-            tip = f"{text}\n{row.id}" if column == CAUSE and row.id else tip
             self.set_cell(at, column, text, right=column == TAKES_OFF, colour=ink, tip=tip)
 
     def _make_small(self) -> None:

@@ -13,10 +13,10 @@ from labcal.gui.translations.translate import translated
 from labcal.gui.viewmodels.number_format import decimals_for, format_number, short_number, step_title
 from labcal.gui.widgets.common import Card, plain, tabular_font
 from labcal.gui.widgets.key_sheet import described
-from labcal.gui.widgets.narrow_columns import PADDING_PX, NarrowColumns
 from labcal.record.stream import Measurement
 
 NAME_PX = LEAST_PX = 18 * GRID  # of a name, and of the card
+NAME_PADDING_PX = 26  # of a cell by the style sheet, and what Qt keeps beside it
 QWIDGETSIZE_MAX = 16_777_215  # Qt's word for no limit
 FEWEST_ROWS = 5  # of a table as high as its rows are always to be seen
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -29,7 +29,6 @@ class Table(QTableWidget):
         super().__init__(0, len(headings))
         self._headings: tuple[str, ...] = ()
         self._rows_shown = self._least = 0
-        self.narrow: NarrowColumns | None = None  # what goes and wraps where there is little room
         self.set_headings(headings)
         self.verticalHeader().hide()
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -97,9 +96,6 @@ class Table(QTableWidget):
         if self._keeping:
             return
         self._keeping = True
-        if self.narrow is not None:
-            self.narrow.let_go()
-            self.narrow.share()
         needed = {column: header.sectionSizeHint(column) for column in self._stretched}
         room = self.viewport().width() - sum(header.sectionSize(n) for n in range(header.count()) if n not in needed)
         whole = room // len(needed) >= max(needed.values())
@@ -108,10 +104,7 @@ class Table(QTableWidget):
             if not whole:
                 room -= width
                 least = width + (max(0, room) if column == self._stretched[-1] else 0)
-                wanted = 0 if self.wordWrap() else min(self.sizeHintForColumn(column), self.viewport().width())
-                header.resizeSection(column, max(least, wanted))
-        if self.narrow is not None:
-            self.narrow.fit_rows()
+                header.resizeSection(column, max(least, min(self.sizeHintForColumn(column), self.viewport().width())))
         self._keeping = False
 
     def set_headings(self, headings: tuple[str, ...]) -> None:
@@ -198,7 +191,7 @@ class Measurements(Table):
         """Each as high as its name in the room that there is: no name is cut."""
         metrics, one_line = self.fontMetrics(), self.verticalHeader().defaultSectionSize()
         for row in range(self.rowCount()):
-            width = max(1, self.columnWidth(0) - PADDING_PX)  # a higher row may have brought a scroll bar
+            width = max(1, self.columnWidth(0) - NAME_PADDING_PX)  # a higher row may have brought a scroll bar
             lines = metrics.boundingRect(0, 0, width, 0, Qt.TextFlag.TextWordWrap, self.text(row, 0))
             self.setRowHeight(row, max(one_line, lines.height() + one_line - metrics.height()))
 
