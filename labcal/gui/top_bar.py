@@ -36,7 +36,7 @@ class TopBar(Surface):
             value.setAccessibleName(caption)
             value.setPlaceholderText(self.tr("needed"))
             value.setMinimumWidth(4 * GRID)
-            value.editingFinished.connect(partial(value.setCursorPosition, 0))
+            value.editingFinished.connect(partial(_show_beginning, value))
             row.addWidget(label(caption, "caption"))
             row.addWidget(value)
             row.addSpacing(GRID)
@@ -66,7 +66,7 @@ class TopBar(Surface):
     def show_state(self, state: LabState) -> None:
         """Write the state."""
         for entry, text in ((self.dut, state.dut_serial), (self.operator, state.operator)):
-            if entry.text() != text and not (entry.hasFocus() and entry.isModified()):
+            if entry.text() != text and not (_is_in(entry) and entry.isModified()):
                 entry.setText(text)
                 entry.setCursorPosition(0)  # of a long one its beginning is seen
             entry.setToolTip(plain(f"{text}\n{self._tips[entry]}") if text else self._tips[entry])
@@ -101,3 +101,14 @@ class TopBar(Surface):
         self.reason.setText("   ".join(f"✕ {one}" for one in objections.values() if one))
         self.reason.setToolTip(plain(self.reason.text()))  # the whole, where there is no room for it
         self.reason.setVisible(bool(self.reason.text()))
+
+
+def _is_in(entry: QLineEdit) -> bool:
+    """Whether what is typed in its window goes there, also while another program is in front."""
+    return entry.window().focusWidget() is entry
+
+
+def _show_beginning(entry: QLineEdit) -> None:
+    """Of a long serial or name that was left; who comes back from another program goes on where the cursor was."""
+    if not _is_in(entry):
+        entry.setCursorPosition(0)

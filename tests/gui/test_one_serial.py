@@ -2,7 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QLabel, QMessageBox, QPushButton
+from PySide6.QtWidgets import QFileDialog, QInputDialog, QLabel, QLineEdit, QMessageBox, QPushButton
 
 from labcal.gui.ipc.answers import Ended
 from labcal.gui.ipc.messages import RunProcedure, SwitchOff
@@ -20,6 +20,22 @@ def test_a_result_is_put_away_when_another_serial_comes(still):
     assert page.faces.currentWidget() is page.live
     still.app_state.set_identity(dut="EM-19")
     assert page.faces.currentWidget() is page.choose
+
+
+def test_who_looks_into_another_program_while_typing_goes_on_where_the_cursor_was(still, qtbot, patience):
+    field, other = still.top.dut, QLineEdit()
+    qtbot.addWidget(other)
+    field.setFocus()
+    field.selectAll()
+    for text, window in (("EM-", other), ("4", still), ("2", still)):
+        qtbot.keyClicks(field, text)
+        still.scanner.flush()
+        window.show()
+        window.activateWindow()
+        qtbot.waitUntil(window.isActiveWindow, timeout=patience)
+    assert (field.text(), still.app_state.lab.state.dut_serial) == ("EM-42", "EM-42")
+    still.top.operator.setFocus()
+    assert field.cursorPosition() == 0  # of a long one that was left its beginning is seen
 
 
 def test_nothing_that_was_typed_is_markup(still):
